@@ -35,6 +35,7 @@ final class GroundStay {
   private boolean armed = true; // without an arming service
   private boolean left;
   private boolean landed;
+  private boolean descends; // is being led to a landing
   private long firstLed = NEVER;
   private OptionalDouble groundUpM = OptionalDouble.empty(); // where it last stood
   private OptionalDouble risesToM = OptionalDouble.empty(); // after a landing
@@ -74,7 +75,8 @@ final class GroundStay {
 
   /** Sees that the vehicle is led to a goal. */
   void lead(GoalInformation goal, Plan plan, long micros) {
-    landed = goal instanceof Landing && plan.progress() == Plan.Progress.COMPLETED;
+    descends = goal instanceof Landing;
+    landed = descends && plan.progress() == Plan.Progress.COMPLETED;
     if (!armed || plan.points().isEmpty()) {
       firstLed = NEVER;
     } else if (firstLed == NEVER) {
@@ -84,15 +86,17 @@ final class GroundStay {
   }
 
   /**
-   * Way straight up of a multirotor that has landed and is led elsewhere: near the ground it must
-   * not lean. Empty for others, and once it has risen.
+   * Way straight up of a multirotor from the ground or a descent to it, relative to itself: there
+   * it must not lean, as while its estimated position still moves. Empty for others, and once it
+   * has risen.
    */
   Optional<NavigationPoint> rise(GoalInformation goal, Vehicle vehicle) {
     OptionalDouble upM = vehicle.place().upM();
     if (upM.isEmpty() || isAeroplane.getAsBoolean() || goal instanceof Landing) {
       return Optional.empty();
     }
-    if (landed) {
+    boolean isFirst = !left && firstLed == NEVER && goal instanceof TakeOff;
+    if (landed || isFirst || descends) {
       risesToM = OptionalDouble.of(upM.getAsDouble() + RISE_M);
     }
     if (risesToM.isPresent() && upM.getAsDouble() >= risesToM.getAsDouble()) {

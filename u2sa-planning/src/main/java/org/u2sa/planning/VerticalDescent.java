@@ -16,6 +16,7 @@ import org.u2sa.planning.guidance.Vehicle;
 
 /** Landing of a multirotor: level flight to above the position, then descent. */
 final class VerticalDescent implements LandingState.Descent {
+  private static final double SIGMAS = 2.0; // of the altitude, by which the ground may come sooner
   private static final double SLOW_BELOW_M = 4.0; // height above the ground given by the goal
 
   private final Detour detour;
@@ -64,7 +65,8 @@ final class VerticalDescent implements LandingState.Descent {
       return Plan.underWay(List.of(point));
     }
     // Near the ground, the target moves along, because control sinks in proportion to its distance.
-    double downM = Math.max(to.z() - SLOW_BELOW_M, settings.get().touchDownSink());
+    double slowM = SLOW_BELOW_M + SIGMAS * state.zSigma().orElse(0.0);
+    double downM = Math.max(to.z() - slowM, settings.get().touchDownSink());
     return Plan.underWay(
         List.of(NavigationPoint.at(vehicle.body(Point.of(to.x(), to.y(), downM)))));
   }

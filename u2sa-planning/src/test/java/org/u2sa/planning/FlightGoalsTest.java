@@ -316,6 +316,50 @@ class FlightGoalsTest {
     assertThat(step(5.0).z()).isNegative();
   }
 
+  /** As the estimate does while a receiver's first fixes are averaged. */
+  @Test
+  void takeOff_multirotorWhosePositionMovesNearTheGround_isLedStraightUp() {
+    kit.start(PathPlanner::new);
+    pursue(new TakeOff().z(-20.0));
+    step(5.0);
+    ned = Point.of(3.0, -2.0, ned.z());
+    while (ned.z() > -1.7) {
+      Point to = step(1.0);
+      assertThat(Math.hypot(to.x(), to.y())).isLessThan(1e-9);
+    }
+    for (int i = 0; i < 300 && reports().isEmpty(); i++) {
+      step(5.0);
+    }
+    assertThat(reports().get(0).completed()).isTrue();
+    assertThat(Math.hypot(ned.x(), ned.y())).isLessThan(0.1);
+  }
+
+  @Test
+  void waypoint_insteadOfADescent_isFlownToAfterRisingStraightUp() {
+    kit.start(PathPlanner::new);
+    ned = Point.of(0.0, 0.0, -1.0);
+    pursue(new Landing().z(0.0).x(0.0).y(0.0));
+    step(0.5);
+    pursue(new Waypoint().x(30.0).y(0.0));
+    while (ned.z() > -2.9) {
+      Point to = step(1.0);
+      assertThat(Math.hypot(to.x(), to.y())).isLessThan(1e-9);
+    }
+  }
+
+  @Test
+  @Timeout(20)
+  void landing_altitudeUncertain_isSlowFromHigherOn() {
+    tooHighM = 5.0; // with a sigma of half of it
+    kit.start(PathPlanner::new);
+    ned = Point.of(0.0, 0.0, -20.0);
+    pursue(new Landing().z(0.0).x(0.0).y(0.0));
+    while (ned.z() < 0.0) {
+      step(5.0);
+    }
+    assertThat(velocity.z()).isLessThan(0.9);
+  }
+
   @Test
   void waypoint_afterALanding_isFlownToAfterRisingStraightUp() {
     kit.start(PathPlanner::new);

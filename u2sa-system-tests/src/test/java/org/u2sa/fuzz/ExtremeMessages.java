@@ -133,7 +133,7 @@ final class ExtremeMessages {
     List<Point> outline = new ArrayList<>();
     for (int i = 0; i < corners; i++) {
       double angle = 2.0 * Math.PI * i / corners;
-      outline.add(Point.of(11.5 + Math.cos(angle), 48.5 + Math.sin(angle), 0.0));
+      outline.add(Point.of(11.5 + 0.2 * Math.cos(angle), 48.5 + 0.2 * Math.sin(angle), 0.0));
     }
     return outline;
   }

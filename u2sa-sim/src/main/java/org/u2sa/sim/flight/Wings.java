@@ -9,6 +9,7 @@ import org.u2sa.sim.vehicle.BodyState;
 
 /** A wing with control surfaces and a propeller, the last actuator. */
 final class Wings implements AirLoads {
+  private static final double LINEAR_RAD = 0.5;
   private static final double SLOWEST_MPS = 1.0; // below it, rates count as at this airspeed
 
   private final WingCoefficients wing;
@@ -103,7 +104,7 @@ final class Wings implements AirLoads {
       return;
     }
     double alpha = StrictMath.atan2(air.w, air.u);
-    double beta = StrictMath.asin(StrictMath.max(-1.0, StrictMath.min(1.0, air.v / speed)));
+    double beta = linear(StrictMath.asin(StrictMath.max(-1.0, StrictMath.min(1.0, air.v / speed))));
     double twice = 2.0 * StrictMath.max(SLOWEST_MPS, speed);
     double p = (s[BodyState.RATES] - air.gustP) * wing.spanM() / twice;
     double q = (s[BodyState.RATES + 1] - air.gustQ) * wing.chordM() / twice;
@@ -123,8 +124,25 @@ final class Wings implements AirLoads {
     load[4] +=
         pressure
             * wing.chordM()
-            * (pitch.zero() + pitch.alpha() * alpha + pitch.q() * q + pitch.elevator() * elevator);
+            * (pitch.zero()
+                + pitch.alpha() * linear(alpha)
+                + pitch.q() * q
+                + pitch.elevator() * elevator);
     load[5] += pressure * wing.spanM() * wing.yaw().at(beta, p, r, aileron, rudder);
+  }
+
+  /**
+   * The angle of which a linear derivative is a multiple: itself in flight, and beyond 0.5 rad, as
+   * when parked in wind from behind or abeam, less, since moments and side force follow the sine
+   * there.
+   */
+  private static double linear(double angleRad) {
+    return StrictMath.abs(angleRad) <= LINEAR_RAD
+        ? angleRad
+        : LINEAR_RAD
+            * StrictMath.signum(angleRad)
+            * StrictMath.min(
+                1.0, StrictMath.abs(StrictMath.sin(angleRad) / StrictMath.sin(LINEAR_RAD)));
   }
 
   private void propulsion(double throttle, Air air, double[] load) {

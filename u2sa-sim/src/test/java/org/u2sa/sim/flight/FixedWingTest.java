@@ -115,6 +115,21 @@ class FixedWingTest {
         1e-9);
   }
 
+  /**
+   * As parked in wind from behind and abeam: linear derivatives turned it over its nose and wing.
+   */
+  @Test
+  void derivatives_airFromBehindOrAbeam_hardlyTurnIt() {
+    double[] behind = {0, 0, 0, -8, 0, 0, 1, 0, 0, 0, 0, 0, 0};
+    double[] abeam = {0, 0, 0, 0, 8, 0, 1, 0, 0, 0, 0, 0, 0};
+
+    double[] nose = derivatives(aerosonde(), state(behind, 0.0, 0.0, 0.0, 0.0));
+    double[] wing = derivatives(aerosonde(), state(abeam, 0.0, 0.0, 0.0, 0.0));
+
+    assertThat(Math.abs(nose[11])).as("pitch acceleration %f", nose[11]).isLessThan(1.0);
+    assertThat(Math.abs(wing[10])).as("roll acceleration %f", wing[10]).isLessThan(6.0);
+  }
+
   @Test
   void derivatives_climbingTurnInAGust_areThePublished() {
     double[] turning = {
