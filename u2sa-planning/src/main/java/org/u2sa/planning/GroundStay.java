@@ -21,7 +21,8 @@ import org.u2sa.service.handover.HandOver;
 /**
  * Whether an aircraft still or again stands on the ground, where holding a position must not lift
  * it off; and the minimum height above that ground at which an aeroplane circles or returns. An
- * aircraft has left the ground once it has been led to a goal for a second while armed, or is fast.
+ * aircraft has left the ground once it has been led to a goal for a second while armed, or is fast;
+ * until it has landed or is disarmed.
  */
 final class GroundStay {
   private static final double AT_REST_MPS = 1.0;
@@ -38,7 +39,7 @@ final class GroundStay {
   private boolean descends; // is being led to a landing
   private long firstLed = NEVER;
   private OptionalDouble groundUpM = OptionalDouble.empty(); // where it last stood
-  private OptionalDouble risesToM = OptionalDouble.empty(); // after a landing
+  private OptionalDouble risesToM = OptionalDouble.empty(); // from the ground
 
   GroundStay(Supplier<FlightVariables> settings, BooleanSupplier isAeroplane) {
     this.settings = settings;
@@ -58,6 +59,7 @@ final class GroundStay {
 
   void heed(ArmingState state) {
     armed = state.armed();
+    left &= armed;
   }
 
   /** Flown by hand, it may be anywhere afterwards. */
@@ -77,7 +79,8 @@ final class GroundStay {
   void lead(GoalInformation goal, Plan plan, long micros) {
     descends = goal instanceof Landing;
     landed = descends && plan.progress() == Plan.Progress.COMPLETED;
-    if (!armed || plan.points().isEmpty()) {
+    left &= !landed;
+    if (!armed || landed || plan.points().isEmpty()) {
       firstLed = NEVER;
     } else if (firstLed == NEVER) {
       firstLed = micros;

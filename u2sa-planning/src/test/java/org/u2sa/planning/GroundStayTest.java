@@ -115,4 +115,20 @@ class GroundStayTest {
 
     assertThat(watch.raised(vehicle(110.0, 20.0).place()).upM()).hasValue(110.0);
   }
+
+  @Test
+  void stays_afterALandingOrDisarmed_untilItIsLedForASecondAgain() {
+    lead(0.0, 2.0);
+    watch.lead(new Landing(), new Plan(List.of(), Plan.Progress.COMPLETED, "stands"), 3_000_000L);
+    lead(4.0, 4.2);
+    assertThat(watch.stays(WAYPOINT)).isTrue();
+    lead(4.3, 5.2);
+    assertThat(watch.stays(WAYPOINT)).isFalse();
+
+    watch.heed(new ArmingState().armed(false));
+    watch.heed(new ArmingState().armed(true));
+    assertThat(watch.stays(WAYPOINT)).isTrue();
+    watch.see(vehicle(50.0, 20.0)); // in the air
+    assertThat(watch.stays(WAYPOINT)).isFalse();
+  }
 }
