@@ -28,6 +28,7 @@ final class GroundStay {
   private static final double AT_REST_MPS = 1.0;
   private static final double MOVES_MPS = 5.0;
   private static final double RISE_M = 2.0;
+  private static final double DOWN_M = 1.0;
   private static final long LED_MICROS = Clock.MICROS_PER_SECOND;
   private static final long NEVER = Long.MIN_VALUE;
 
@@ -121,6 +122,16 @@ final class GroundStay {
     boolean isAircraft =
         isAeroplane.getAsBoolean() || goals.stream().anyMatch(TakeOff.class::isInstance);
     return landed || (!left && isAircraft);
+  }
+
+  /**
+   * Points that keep it on the ground: for a multirotor that has landed, straight down, because
+   * without a point its control would hover, and drag it along with every error of its velocity.
+   */
+  List<NavigationPoint> points(Vehicle vehicle) {
+    return landed && !isAeroplane.getAsBoolean()
+        ? List.of(NavigationPoint.at(vehicle.body(Point.of(0.0, 0.0, DOWN_M))))
+        : List.of();
   }
 
   /** A place at the minimum height at least; unchanged without altitude. */

@@ -300,7 +300,7 @@ public class PathPlanner extends EventDrivenService {
     if (isHolding()) {
       ground.hold();
       return stays()
-          ? List.of()
+          ? ground.points(Vehicle.of(state).orElseThrow())
           : end.planFailsafe(Vehicle.of(state).orElseThrow(), Optional.empty());
     }
     boolean stands = blind.stands(failsafe, clock().micros());
@@ -431,10 +431,10 @@ public class PathPlanner extends EventDrivenService {
     }
     goal = Optional.empty();
     ground.hold();
-    if (stays()) {
-      return List.of();
-    }
     Vehicle vehicle = Vehicle.of(state).orElseThrow();
+    if (stays()) {
+      return ground.points(vehicle);
+    }
     return failsafe == FailsafeAction.RETURN
         ? end.planFailsafe(vehicle, holdAt)
         : end.plan(vehicle, holdAt);

@@ -307,10 +307,11 @@ class FlightGoalsTest {
     }
     assertThat(reports().get(0).completed()).isTrue();
 
+    Point down = Point.of(0.0, 0.0, 1.0); // its control hovers where there is no point
     kit.publish(Channels.GOALS, new GoalList());
-    assertThat(step(5.0)).isEqualTo(Point.ORIGIN);
+    assertThat(step(5.0)).isEqualTo(down);
     kit.publish(Channels.FAILSAFE, new FailsafeState().action(FailsafeAction.HOLD));
-    assertThat(step(5.0)).isEqualTo(Point.ORIGIN);
+    assertThat(step(5.0)).isEqualTo(down);
     kit.publish(Channels.FAILSAFE, new FailsafeState().action(FailsafeAction.CONTINUE));
     pursue(new TakeOff().z(-20.0));
     assertThat(step(5.0).z()).isNegative();
