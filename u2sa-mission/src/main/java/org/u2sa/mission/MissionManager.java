@@ -62,6 +62,7 @@ public final class MissionManager extends PeriodicService {
       5 * Clock.MICROS_PER_SECOND; // older: from another run
   private static final double LIMITS_CHECKED_HZ = 5.0;
   private static final long REPEAT_EVERY_MICROS = Clock.MICROS_PER_SECOND;
+  private static final int MAX_WAITED = 3; // repetitions, one a second
   private static final long ALWAYS_LOGGED = 100; // later ones at 128, 256, 512…
 
   private final Settings<MissionVariables> settings = settings(MissionVariables.class);
@@ -81,6 +82,7 @@ public final class MissionManager extends PeriodicService {
   private boolean beginsAnew = true; // false after a takeover
   private long repeatDueMicros; // of the current goals, for a planner unaware of them
   private long ignored; // reports and updates
+  private int waited; // failsafes for a position, after a restart
 
   /**
    * Launcher constructor.
@@ -113,11 +115,13 @@ public final class MissionManager extends PeriodicService {
     subscribe(Channels.GOAL_UPDATES, this::update);
     subscribe(Channels.GOAL_COMMANDS, command -> changeTo(command.uid()));
     subscribe(Channels.MISSION, this::onMission);
+    subscribe(
+        Channels.FENCE,
+        returnPlaces::see); // before failsafes, which lead around it after a restart
+    subscribe(Channels.STATE, returnPlaces::see);
     subscribe(Channels.FAILSAFE, this::onFailsafe);
     subscribe(Channels.ARMING_STATE, this::onArming);
     subscribe(Channels.MANUAL_STATE, this::onManual);
-    subscribe(Channels.FENCE, returnPlaces::see);
-    subscribe(Channels.STATE, returnPlaces::see);
   }
 
   /** Rejects an unreadable mission before it replaces a readable one. */
@@ -297,6 +301,11 @@ public final class MissionManager extends PeriodicService {
     if (action == run.progress().pursuedFor()) {
       return;
     }
+    if (leads(action) && !returnPlaces.isReady() && waited < MAX_WAITED) {
+      waited++;
+      return; // the next repetition counts
+    }
+    waited = 0;
     passTime();
     if (run.progress()
         .turnTo(
@@ -308,6 +317,10 @@ public final class MissionManager extends PeriodicService {
           resumes ? "resuming the mission" : "leaving the mission: " + action);
       publishGoals();
     }
+  }
+
+  private static boolean leads(FailsafeAction action) {
+    return action == FailsafeAction.RETURN || action == FailsafeAction.LAND;
   }
 
   private void onReport(GoalInformation goal) {

@@ -61,6 +61,11 @@ final class ReturnPlaces {
     return nearest;
   }
 
+  /** Whether ways are known: where the fence has areas, only once a position has been received. */
+  boolean isReady() {
+    return state != null || !way.hasAreas();
+  }
+
   /** Waypoints on a way to a place within the fence; see {@link ReturnWay#between}. */
   Optional<List<Waypoint>> wayTo(Waypoint place) {
     return state == null ? Optional.of(List.of()) : way.between(state, place);

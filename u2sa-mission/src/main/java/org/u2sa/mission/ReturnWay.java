@@ -36,6 +36,10 @@ final class ReturnWay {
     fence = inForce;
   }
 
+  boolean hasAreas() {
+    return !fence.keepIn().isEmpty() || !fence.keepOut().isEmpty();
+  }
+
   /**
    * Waypoints on the way to a place, excluding the place; none without a fence, if the frames
    * cannot be compared, or if the straight line is allowed. Empty if the fence leaves no way.

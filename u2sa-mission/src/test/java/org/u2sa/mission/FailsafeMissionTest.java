@@ -19,11 +19,16 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.mission.GoalCommand;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FailsafeState;
+import org.u2sa.messages.safety.FenceState;
+import org.u2sa.messages.shape.Polygon;
 import org.u2sa.testkit.ServiceKit;
 
 /** What the Mission Manager does when a failsafe says so. */
@@ -87,6 +92,50 @@ class FailsafeMissionTest {
     Waypoint report = new Waypoint().uid(uid).horizontalThreshold(1.0);
     report.completed(true);
     kit.publish(Channels.GOAL_REPORTS, report);
+  }
+
+  /** As after a restart: the failsafe, which is retained, comes before the first state. */
+  @Test
+  void return_beforeAPositionIsKnown_waitsForItWhereTheFenceHasAreas() {
+    kit.start(MissionManager::new);
+    Polygon wall =
+        new Polygon()
+            .points(
+                List.of(
+                    Point.of(0.4995, 0.5008, 0.0),
+                    Point.of(0.5005, 0.5008, 0.0),
+                    Point.of(0.5005, 0.5012, 0.0),
+                    Point.of(0.4995, 0.5012, 0.0)));
+    wall.uid("wall").referenceFrame(ReferenceFrame.GLOBAL).x(0.4995).y(0.5008);
+    kit.publish(Channels.FENCE, new FenceState().file("f.xml").keepOut(List.of(wall)));
+    failsafe(FailsafeAction.RETURN);
+    assertThat(goals()).noneMatch(name -> name.startsWith("RETURN"));
+
+    StateInformation state = new StateInformation().sensorName("StateEstimator").x(0.5).y(0.502);
+    state.timestamp(kit.clock().micros());
+    kit.publish(Channels.STATE, state);
+    failsafe(FailsafeAction.RETURN); // it is repeated
+    assertThat(goals().get(0)).startsWith("RETURN way");
+
+    failsafe(FailsafeAction.CONTINUE);
+    failsafe(FailsafeAction.RETURN);
+    assertThat(goals().get(0)).startsWith("RETURN way");
+  }
+
+  @Test
+  void return_positionNeverKnown_isPursuedAfterThreeRepetitions() {
+    kit.start(MissionManager::new);
+    Polygon wall =
+        new Polygon()
+            .points(List.of(Point.ORIGIN, Point.of(1.0, 0.0, 0.0), Point.of(0.0, 1.0, 0.0)));
+    wall.uid("wall").referenceFrame(ReferenceFrame.GLOBAL).x(0.0).y(0.0);
+    kit.publish(Channels.FENCE, new FenceState().file("f.xml").keepOut(List.of(wall)));
+    for (int i = 0; i < 3; i++) {
+      failsafe(FailsafeAction.RETURN);
+      assertThat(goals()).containsExactly("1");
+    }
+    failsafe(FailsafeAction.RETURN);
+    assertThat(goals()).doesNotContain("1");
   }
 
   @Test

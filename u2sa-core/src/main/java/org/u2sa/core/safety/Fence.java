@@ -25,7 +25,7 @@ import org.u2sa.messages.shape.NearSides;
  * enough for fences of some tens of kilometres. Immutable.
  */
 final class Fence {
-  private static final int MAX_NEAR_SIDES = 20_000; // pairs
+  private static final int MAX_NEAR_SIDES = 10_000; // pairs
 
   /**
    * A position to return to instead of home if it is nearer.
@@ -86,10 +86,10 @@ final class Fence {
 
   /** Copy shrunk on all sides; throws if no area remains. */
   Fence drawnInBy(double marginM) {
+    checkSides(marginM);
     if (marginM == 0.0) {
       return this;
     }
-    checkSides(marginM);
     Optional<Polygon> smaller = keepIn.map(area -> shrunk(area, marginM));
     List<Polygon> larger =
         List.of(
@@ -98,21 +98,21 @@ final class Fence {
         origin, smaller, larger, shifted(floorM, marginM), shifted(ceilingM, -marginM), rally);
   }
 
-  /** Refuses areas whose borders it would take seconds to move, and the memory of the process. */
+  /**
+   * Refuses areas whose borders it would take seconds to move or to join, and the memory of the
+   * process.
+   */
   private void checkSides(double marginM) {
     List<Polygon> areas = new ArrayList<>(keepOuts);
     keepIn.ifPresent(areas::add);
-    int pairs = 0;
-    for (Polygon area : areas) {
-      pairs += NearSides.count(List.of(border(area)), 2.0 * marginM, MAX_NEAR_SIDES - pairs);
-      if (pairs > MAX_NEAR_SIDES) {
-        throw new IllegalArgumentException(
-            "more than "
-                + MAX_NEAR_SIDES
-                + " pairs of sides of its areas are within twice a margin of "
-                + CauseText.metres(marginM)
-                + "; expected fewer corners");
-      }
+    List<List<Point>> borders = areas.stream().map(Fence::border).collect(Collectors.toList());
+    if (NearSides.count(borders, 2.0 * marginM, MAX_NEAR_SIDES) > MAX_NEAR_SIDES) {
+      throw new IllegalArgumentException(
+          "more than "
+              + MAX_NEAR_SIDES
+              + " pairs of sides of its areas cross or are within twice a margin of "
+              + CauseText.metres(marginM)
+              + "; expected fewer corners");
     }
   }
 
@@ -121,7 +121,9 @@ final class Fence {
     for (Coordinate corner : area.getExteriorRing().getCoordinates()) {
       corners.add(Point.of(corner.x, corner.y, 0.0));
     }
-    return corners.subList(1, corners.size()); // the first is the last
+    return corners.isEmpty()
+        ? corners
+        : corners.subList(1, corners.size()); // the first is the last
   }
 
   private static Polygon shrunk(Polygon area, double marginM) {

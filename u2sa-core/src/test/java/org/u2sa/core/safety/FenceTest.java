@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -190,7 +191,37 @@ class FenceTest {
     assertThatThrownBy(() -> fence.drawnInBy(50.0))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage(
-            "more than 20000 pairs of sides of its areas are within twice a margin of 50 m; expected fewer corners");
-    assertThat(allows(fence.drawnInBy(0.0), 2000.0, 0.0)).isTrue();
+            "more than 10000 pairs of sides of its areas cross or are within twice a margin of 50 m; expected fewer corners");
+    assertThat(allows(fence.drawnInBy(0.01), 2000.0, 0.0)).isTrue();
+  }
+
+  private static Polygon comb(boolean isUpright) {
+    List<Coordinate> ring = new ArrayList<>();
+    for (int i = 0; i <= 100; i++) {
+      ring.add(new Coordinate(10.0 * i, 0.0));
+      ring.add(new Coordinate(10.0 * i + 5.0, 1000.0));
+    }
+    ring.add(new Coordinate(1010.0, -5.0));
+    ring.add(new Coordinate(-5.0, -5.0));
+    ring.add(ring.get(0).copy());
+    ring.forEach(
+        each -> {
+          if (!isUpright) {
+            each.setCoordinate(new Coordinate(each.y, each.x));
+          }
+        });
+    return GEOMETRY.createPolygon(ring.toArray(new Coordinate[0]));
+  }
+
+  /** Joining them takes seconds when the vehicle has to return. */
+  @Test
+  void drawnIn_twoCombsThatCross_areRefusedWithoutAMarginToo() {
+    OptionalDouble any = OptionalDouble.empty();
+    List<Polygon> combs = List.of(comb(true), comb(false));
+    Fence fence = new Fence(Optional.empty(), Optional.empty(), combs, any, any, List.of());
+
+    assertThatThrownBy(() -> fence.drawnInBy(0.0))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("more than 10000 pairs of sides of its areas cross");
   }
 }

@@ -15,7 +15,7 @@ public final class NearSides {
 
   /**
    * Number of pairs nearer to each other than a distance; counting ends above a limit. Pairs of one
-   * convex border do not count.
+   * convex border do not count, and those of two only if they cross.
    *
    * @param borders corners of closed borders, in order [m]; z is ignored
    */
@@ -67,7 +67,8 @@ public final class NearSides {
     }
 
     boolean isNear(Side other, double distanceM) {
-      if (isConvex && border == other.border) {
+      boolean areConvex = isConvex && other.isConvex;
+      if (areConvex && border == other.border) {
         return false;
       }
       double south = Math.min(from.y(), to.y()) - distanceM;
@@ -76,14 +77,17 @@ public final class NearSides {
           || Math.min(other.from.y(), other.to.y()) > north) {
         return false;
       }
-      boolean crosses =
-          turn(from, to, other.from) * turn(from, to, other.to) < 0.0
-              && turn(other.from, other.to, from) * turn(other.from, other.to, to) < 0.0;
-      return crosses
-          || toward(other.from) < distanceM
-          || toward(other.to) < distanceM
-          || other.toward(from) < distanceM
-          || other.toward(to) < distanceM;
+      return crosses(other)
+          || !areConvex
+              && (toward(other.from) < distanceM
+                  || toward(other.to) < distanceM
+                  || other.toward(from) < distanceM
+                  || other.toward(to) < distanceM);
+    }
+
+    private boolean crosses(Side other) {
+      return turn(from, to, other.from) * turn(from, to, other.to) < 0.0
+          && turn(other.from, other.to, from) * turn(other.from, other.to, to) < 0.0;
     }
 
     private double toward(Point place) {

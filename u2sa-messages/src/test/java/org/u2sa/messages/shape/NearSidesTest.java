@@ -47,8 +47,14 @@ class NearSidesTest {
     List<List<Point>> both = List.of(square(0.0), square(15.0));
 
     assertThat(NearSides.count(both, 4.9, 100)).isZero();
-    assertThat(NearSides.count(both, 5.1, 100)).isEqualTo(7);
-    assertThat(NearSides.count(both, 1e3, 100)).isEqualTo(16);
-    assertThat(NearSides.count(List.of(square(0.0), square(5.0)), 0.1, 100)).isPositive();
+    assertThat(NearSides.count(both, 1e3, 100)).isZero(); // both are convex
+    List<Point> crossing =
+        List.of(Point.of(-5.0, 5.0, 0.0), Point.of(5.0, 4.0, 0.0), Point.of(5.0, 6.0, 0.0));
+    assertThat(NearSides.count(List.of(square(0.0), crossing), 0.0, 100)).isEqualTo(2);
+    List<Point> dented = new ArrayList<>(square(15.0));
+    dented.add(Point.of(18.0, 5.0, 0.0));
+    List<List<Point>> one = List.of(square(0.0), dented);
+    assertThat(NearSides.count(one, 4.9, 100)).isEqualTo(count(dented, 4.9, 100));
+    assertThat(NearSides.count(one, 5.1, 100)).isGreaterThan(count(dented, 5.1, 100));
   }
 }
