@@ -199,6 +199,11 @@ final class Fence {
     return corners;
   }
 
+  /** Whether it has an area, besides altitudes and rally points. */
+  boolean hasAreas() {
+    return keepIn.isPresent() || !keepOuts.isEmpty();
+  }
+
   /** Rally points, usable or not. */
   List<RallyPoint> rally() {
     return rally;

@@ -8,6 +8,7 @@ import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.safety.FenceOrder;
 import org.u2sa.messages.safety.FenceOrderResult;
+import org.u2sa.messages.safety.FenceState;
 
 /**
  * Executes operators' fence orders and reports the results. Idempotent: a repeated order is
@@ -81,6 +82,13 @@ final class FenceOrders {
     return order.fence().orElseThrow(() -> new BadInputException("no fence; expected one in XML"));
   }
 
+  private String straight() {
+    FenceState published = watch.state();
+    boolean leads = !published.keepIn().isEmpty() || !published.keepOut().isEmpty();
+    boolean isEmpty = watch.fence().filter(Fence::hasAreas).isEmpty();
+    return leads || isEmpty ? "" : "; too many corners to lead around: returns are straight";
+  }
+
   private String unused() {
     String points =
         watch.fence().stream()
@@ -117,6 +125,7 @@ final class FenceOrders {
 
   private String remark(long nowMicros) {
     return unused()
+        + straight()
         + watch.objection(nowMicros).map(words -> "; arming is not possible: " + words).orElse("");
   }
 }

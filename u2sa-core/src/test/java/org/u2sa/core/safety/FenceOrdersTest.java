@@ -147,6 +147,24 @@ class FenceOrdersTest extends WatchedVehicle {
   }
 
   @Test
+  void replace_moreCornersThanCanBePublished_saysThatReturnsAreStraight() {
+    start();
+    live(0.2);
+    StringBuilder fence = new StringBuilder("<fence><reference>Local ENU</reference>");
+    for (int i = 1; i <= 90; i++) {
+      String circle = "<keepOut><centre><x>%d</x><y>0</y></centre><radius>1500</radius></keepOut>";
+      fence.append(String.format(circle, 3_100 * i));
+    }
+
+    FenceOrderResult result = replace(fence.append("</fence>").toString());
+    assertThat(result.accepted()).isTrue();
+    assertThat(result.outcome())
+        .contains("; too many corners to lead around: returns are straight");
+    assertThat(fence().keepOut()).isEmpty();
+    assertThat(replace(square(-50, 50)).outcome()).doesNotContain("straight");
+  }
+
+  @Test
   void start_withoutAFence_publishesThatThereIsNone() {
     start();
     live(0.2);
