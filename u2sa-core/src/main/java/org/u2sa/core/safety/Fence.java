@@ -25,6 +25,7 @@ import org.u2sa.messages.shape.NearSides;
  * enough for fences of some tens of kilometres. Immutable.
  */
 final class Fence {
+  private static final int CURVATURE_STEPS = 6;
   private static final int MAX_NEAR_SIDES = 10_000; // pairs
 
   /**
@@ -161,11 +162,23 @@ final class Fence {
       Point enu = Point.of(corner.x, corner.y, 0.0);
       points.add(
           origin
-              .map(place -> place.fromEnu(enu))
+              .map(place -> onGround(place, enu))
               .map(at -> Point.of(at.longitudeDeg(), at.latitudeDeg(), 0.0))
               .orElse(enu));
     }
     return points.subList(0, Math.max(0, points.size() - 1));
+  }
+
+  /**
+   * The place at altitude 0 below or above a point of the plane, from which the earth curves away.
+   */
+  private static Geodetic onGround(Geodetic origin, Point enu) {
+    Point point = enu;
+    for (int i = 0; i < CURVATURE_STEPS; i++) {
+      double altitudeM = origin.fromEnu(point).altitudeM() - origin.altitudeM();
+      point = Point.of(enu.x(), enu.y(), point.z() - altitudeM);
+    }
+    return origin.fromEnu(point);
   }
 
   private List<List<Point>> outlines(List<Polygon> areas, double toleranceM) {
@@ -193,7 +206,7 @@ final class Fence {
     List<Geodetic> corners = new ArrayList<>();
     if (origin.isPresent()) {
       for (Coordinate corner : area.getExteriorRing().getCoordinates()) {
-        corners.add(origin.get().fromEnu(Point.of(corner.x, corner.y, 0.0)));
+        corners.add(onGround(origin.get(), Point.of(corner.x, corner.y, 0.0)));
       }
     }
     return corners;

@@ -7,10 +7,13 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.assertj.core.api.InstanceOfAssertFactories;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Envelope;
 import org.locationtech.jts.geom.GeometryFactory;
@@ -223,5 +226,28 @@ class FenceTest {
     assertThatThrownBy(() -> fence.drawnInBy(0.0))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("more than 10000 pairs of sides of its areas cross");
+  }
+
+  /** 200 km away the earth is 3 km below the plane of the first corner. */
+  @ParameterizedTest
+  @ValueSource(doubles = {0.1, 1.0, 3.0})
+  void keepOutCorners_farFromTheFirstCorner_areWhereTheFileHasThem(double farDeg) {
+    String far =
+        String.format(
+            Locale.ROOT,
+            "<keepOut><corner><x>%1$f</x><y>%2$f</y></corner><corner><x>%3$f</x><y>%2$f</y></corner>"
+                + "<corner><x>%3$f</x><y>%4$f</y></corner></keepOut>",
+            8.5 + farDeg,
+            47.4 + farDeg,
+            8.51 + farDeg,
+            47.41 + farDeg);
+    String near =
+        "<keepOut><corner><x>8.5</x><y>47.4</y></corner><corner><x>8.51</x><y>47.4</y></corner>"
+            + "<corner><x>8.51</x><y>47.41</y></corner></keepOut>";
+    Fence fence = GivenFence.of("f", "<fence>" + near + far + "</fence>", 0.0).fence();
+
+    Geodetic first = fence.keepOutCorners().get(1).get(0);
+    assertThat(first.distanceM(new Geodetic(8.5 + farDeg, 47.4 + farDeg, first.altitudeM())))
+        .isLessThan(0.1);
   }
 }
