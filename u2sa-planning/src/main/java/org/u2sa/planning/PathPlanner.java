@@ -114,7 +114,7 @@ public class PathPlanner extends EventDrivenService {
                 new LandingState(detour, this::lines, circle, flight),
                 new PayloadDropState(detour, this::lines, flight)));
     states.discover(this, new PlannerSurroundings(avoidance, this::missionS));
-    ground = new GroundStay(flight, () -> lines().turns().accelerationMps2() > 0.0);
+    ground = new GroundStay(flight, this::isAeroplane);
     end = new EndOfMission(settings, this::lines, guidance, ground::raised);
     registerPublisher(Channels.NAVIGATION);
     registerPublisher(Channels.GOAL_REPORTS);
@@ -134,6 +134,11 @@ public class PathPlanner extends EventDrivenService {
             react(state.action());
           }
         });
+  }
+
+  /** Whether it can neither stop nor turn in place; a car with Ackermann steering can stop. */
+  private boolean isAeroplane() {
+    return lines().turns().accelerationMps2() > 0.0 && settings.get().loiterRadius() > 0.0;
   }
 
   /** Configured settings, except that a landing's glide path is always linear. */

@@ -386,6 +386,18 @@ class FlightGoalsTest {
     assertThat(ned.x()).isCloseTo(30.0, within(1.0));
   }
 
+  /** A car with Ackermann steering has TURN ACCELERATION too, and must not be led into the air. */
+  @ParameterizedTest
+  @CsvSource({"0, 0", "100, -40"})
+  void waypoint_withoutAltitude_isRaisedForAVehicleThatCannotStopOnly(
+      double loiterRadiusM, double downM) {
+    kit.with("TURN ACCELERATION", 1.0).with("LOITER RADIUS", loiterRadiusM);
+    kit.start(PathPlanner::new);
+    pursue(new Waypoint().x(30.0).y(0.0));
+
+    assertThat(step(0.0).z()).isCloseTo(downM, within(0.1));
+  }
+
   @Test
   void landing_slowTouchDown_isNotCompletedInTheAir() {
     kit.with("TOUCH DOWN SINK", 0.2).start(PathPlanner::new);
