@@ -79,7 +79,10 @@ final class FenceRoute {
     return List.of(corners);
   }
 
-  /** Nothing of areas with so many sides near each other that it would take too long. */
+  /**
+   * Area with its borders moved inwards; empty if too many sides are near each other to do so
+   * quickly.
+   */
   private static Geometry smaller(Geometry area, double byM) {
     if (NearSides.count(borders(area), 2.0 * byM, MAX_NEAR_SIDES) > MAX_NEAR_SIDES) {
       return FACTORY.createPolygon();
@@ -151,7 +154,10 @@ final class FenceRoute {
     return allowed.covers(leg) && border.distance(leg) >= nearest - ROUNDING_M;
   }
 
-  /** Where the way begins: not across what is truly forbidden, unless the vehicle is there. */
+  /**
+   * Free place where the way begins; the leg to it crosses no truly forbidden area unless the
+   * vehicle is in one.
+   */
   private Optional<Coordinate> exit(Coordinate from) {
     Geometry place = leg(from, from);
     if (allowed.covers(place)) {
@@ -166,7 +172,7 @@ final class FenceRoute {
         .min(Comparator.comparingDouble(each -> leg(from, each).difference(whole).getLength()));
   }
 
-  /** Nearest place at the distance from the borders to which a straight way keeps to an area. */
+  /** Nearest free place that a straight leg reaches without leaving an area. */
   private Optional<Coordinate> entrance(Coordinate place, Geometry area) {
     if (isFree(place, place)) {
       return Optional.of(place);

@@ -115,9 +115,8 @@ public final class MissionManager extends PeriodicService {
     subscribe(Channels.GOAL_UPDATES, this::update);
     subscribe(Channels.GOAL_COMMANDS, command -> changeTo(command.uid()));
     subscribe(Channels.MISSION, this::onMission);
-    subscribe(
-        Channels.FENCE,
-        returnPlaces::see); // before failsafes, which lead around it after a restart
+    // Before failsafes: after a restart, the retained fence must be known when RETURN arrives.
+    subscribe(Channels.FENCE, returnPlaces::see);
     subscribe(Channels.STATE, returnPlaces::see);
     subscribe(Channels.FAILSAFE, this::onFailsafe);
     subscribe(Channels.ARMING_STATE, this::onArming);

@@ -226,7 +226,7 @@ class MissionPauseTest extends ThreeWaypoints {
     kit.publish(Channels.MANUAL_STATE, state);
   }
 
-  /** They would lead the vehicle away as soon as the driver hands it back. */
+  /** They would take effect when the driver hands the vehicle back. */
   @ParameterizedTest
   @EnumSource(names = {"GOTO", "RESUME", "RETURN", "LAND"})
   void obey_whileDrivenByHand_isRefusedAndTheMissionStaysPaused(MissionAction action) {

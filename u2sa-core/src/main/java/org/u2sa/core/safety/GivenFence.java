@@ -65,10 +65,8 @@ record GivenFence(String file, String xml, Fence whole, Fence fence) {
             .filter(point -> fence.objection(point).isEmpty())
             .map(Fence.RallyPoint::waypoint)
             .collect(Collectors.toList()));
-    for (double tolerance :
-        new double[] {
-          OUTLINE_M, 0.5 * marginM, marginM
-        }) { // so that ways home never enter the file's areas
+    // Up to the margin, so that ways home never enter the file's areas.
+    for (double tolerance : new double[] {OUTLINE_M, 0.5 * marginM, marginM}) {
       List<Polygon> keepIn = shapes("keep-in", fence.keepIn(tolerance));
       List<Polygon> keepOut = shapes("keep-out", fence.keepOut(tolerance));
       if (corners(keepIn) + corners(keepOut) <= MAX_CORNERS) {

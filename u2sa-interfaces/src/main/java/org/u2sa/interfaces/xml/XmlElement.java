@@ -40,6 +40,12 @@ public record XmlElement(
             : Collections.unmodifiableList(new ArrayList<>(children));
   }
 
+  /** Copy with other content at the same place in the file. */
+  public XmlElement with(
+      Map<String, String> newAttributes, List<XmlElement> newChildren, String newText) {
+    return new XmlElement(origin, name, line, span, newAttributes, newChildren, newText);
+  }
+
   /**
    * @throws BadInputException if it is missing
    */

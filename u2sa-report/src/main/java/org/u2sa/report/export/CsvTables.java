@@ -20,8 +20,9 @@ import org.u2sa.recorder.playback.RecordedSpan;
  */
 public final class CsvTables {
   private static final String SUFFIX = ".csv";
-  private static final int MAX_NAME =
-      55; // code points of up to 4 bytes: file systems take 255 bytes
+
+  /** Code points of up to four bytes; file systems accept names of 255 bytes. */
+  private static final int MAX_NAME = 55;
 
   private final RecordedMessages recording;
   private final RecordedSpan span;

@@ -59,7 +59,7 @@ final class SdfIncludes {
         default -> children.add(child);
       }
     }
-    return with(scope, scope.attributes(), children);
+    return scope.with(scope.attributes(), children, scope.text());
   }
 
   /** The models of the file of an include. */
@@ -109,18 +109,6 @@ final class SdfIncludes {
       children.removeIf(child -> child.name().equals("pose"));
       children.add(pose.get());
     }
-    return with(model, attributes, children);
-  }
-
-  private static XmlElement with(
-      XmlElement element, Map<String, String> attributes, List<XmlElement> children) {
-    return new XmlElement(
-        element.origin(),
-        element.name(),
-        element.line(),
-        element.span(),
-        attributes,
-        children,
-        element.text());
+    return model.with(attributes, children, model.text());
   }
 }

@@ -31,7 +31,7 @@ public final class VehicleChanges {
     if (name.startsWith("@")) {
       Map<String, String> attributes = new LinkedHashMap<>(element.attributes());
       attributes.put(name.substring(1), value);
-      return copy(element, attributes, element.children(), element.text());
+      return element.with(attributes, element.children(), element.text());
     }
     List<XmlElement> children = new ArrayList<>();
     boolean isFound = false;
@@ -49,24 +49,12 @@ public final class VehicleChanges {
           new XmlElement(
               element.origin(), name, element.line(), element.span(), Map.of(), List.of(), value));
     }
-    return copy(element, element.attributes(), children, element.text());
+    return element.with(element.attributes(), children, element.text());
   }
 
   private static XmlElement changed(XmlElement child, List<String> path, String value) {
     return path.size() > 1
         ? set(child, path.subList(1, path.size()), value)
-        : copy(child, child.attributes(), child.children(), value);
-  }
-
-  private static XmlElement copy(
-      XmlElement element, Map<String, String> attributes, List<XmlElement> children, String text) {
-    return new XmlElement(
-        element.origin(),
-        element.name(),
-        element.line(),
-        element.span(),
-        attributes,
-        children,
-        text);
+        : child.with(child.attributes(), child.children(), value);
   }
 }
