@@ -51,22 +51,13 @@ final class EndOfMission {
   }
 
   /**
-   * Plans the next step of holding.
+   * Plans the next step of holding: vehicles that cannot stop circle, even with AT END = STOP;
+   * others stop with it.
    *
    * @param place position to hold; if empty or without coordinates, the vehicle's position when
    *     holding began; without altitude, its altitude at that time
    */
   List<NavigationPoint> plan(Vehicle vehicle, Optional<Place> place) {
-    return settings.get().holdsAtEnd() ? hold(vehicle, place) : List.of();
-  }
-
-  /**
-   * Plans the next step of holding for a failsafe, regardless of AT END: vehicles that cannot stop
-   * circle. A vehicle with AT END = STOP and no circle stops here too.
-   *
-   * @param place as in {@link #plan}
-   */
-  List<NavigationPoint> planFailsafe(Vehicle vehicle, Optional<Place> place) {
     PlanningVariables now = settings.get();
     return now.holdsAtEnd() || now.loiterRadius() > 0.0 ? hold(vehicle, place) : List.of();
   }

@@ -21,7 +21,7 @@ record FlightVariables(
         double approachAccuracy,
     @Variable(unit = "m", min = 0, max = 10000, ifAbsent = 40)
         @Description(
-            "Minimum height above the ground from which it took off at which an aeroplane (with TURN ACCELERATION and LOITER RADIUS) circles, or flies to goals without altitude; 0: none.")
+            "Minimum height above the ground from which it took off at which an aeroplane (with TURN ACCELERATION and LOITER RADIUS) circles, or flies to goals without altitude. Below half of it, an aeroplane that holds or breaks off a take-off or landing climbs straight ahead first. 0: none.")
         double minHoldHeight,
     @Variable(unit = "m/s", min = 0.1, max = 5, ifAbsent = 0.5)
         @Description("Sink rate at which a multirotor touches down.")

@@ -41,6 +41,9 @@ final class GroundStay {
   private long firstLed = NEVER;
   private OptionalDouble groundUpM = OptionalDouble.empty(); // where it last stood
   private OptionalDouble risesToM = OptionalDouble.empty(); // from the ground
+  private String atGround = ""; // UID of the take-off or landing under way
+  private boolean climbs; // straight ahead, before it may turn
+  private OptionalDouble climbHeadingRad = OptionalDouble.empty();
 
   GroundStay(Supplier<FlightVariables> settings, BooleanSupplier isAeroplane) {
     this.settings = settings;
@@ -87,6 +90,8 @@ final class GroundStay {
       firstLed = micros;
     }
     left |= firstLed != NEVER && micros - firstLed >= LED_MICROS;
+    boolean isAtGround = descends || goal instanceof TakeOff;
+    atGround = isAtGround && plan.progress() == Plan.Progress.UNDER_WAY ? goal.uid() : "";
   }
 
   /**
@@ -115,6 +120,31 @@ final class GroundStay {
   void hold() {
     firstLed = NEVER;
     risesToM = OptionalDouble.empty();
+  }
+
+  /**
+   * Way straight ahead and up of an aeroplane that holds, or whose take-off or landing gives way to
+   * another goal, while it is lower than half the minimum height: a turn there would bring a wing
+   * near the ground. Empty for others, and once it has climbed.
+   */
+  Optional<NavigationPoint> climb(Optional<GoalInformation> goal, Vehicle vehicle, double aheadM) {
+    String uid = goal.map(GoalInformation::uid).orElse("");
+    climbs |= goal.isEmpty() || !(atGround.isEmpty() || atGround.equals(uid));
+    boolean takesOff = goal.filter(TakeOff.class::isInstance).isPresent();
+    OptionalDouble leastM = leastUpM();
+    double upM = vehicle.place().upM().orElse(Double.POSITIVE_INFINITY);
+    climbs &= !takesOff && left && leastM.isPresent();
+    climbs = climbs && upM < leastM.getAsDouble() - settings.get().minHoldHeight() / 2.0;
+    if (!climbs) {
+      climbHeadingRad = OptionalDouble.empty();
+      return Optional.empty();
+    }
+    double headingRad = climbHeadingRad.orElse(vehicle.headingRad());
+    climbHeadingRad = OptionalDouble.of(headingRad);
+    double northM = aheadM * Math.cos(headingRad);
+    double eastM = aheadM * Math.sin(headingRad);
+    Point ahead = Point.of(northM, eastM, upM - leastM.getAsDouble());
+    return Optional.of(NavigationPoint.at(vehicle.body(ahead)));
   }
 
   /** Whether holding means staying on the ground. */

@@ -304,9 +304,8 @@ public class PathPlanner extends EventDrivenService {
     Vehicle.of(state).ifPresent(ground::see);
     if (isHolding()) {
       ground.hold();
-      return stays()
-          ? ground.points(Vehicle.of(state).orElseThrow())
-          : end.planFailsafe(Vehicle.of(state).orElseThrow(), Optional.empty());
+      Vehicle vehicle = Vehicle.of(state).orElseThrow();
+      return stays() ? ground.points(vehicle) : hold(vehicle, Optional.empty());
     }
     boolean stands = blind.stands(failsafe, clock().micros());
     Optional<GoalInformation> chosen = choose(state, stateless);
@@ -330,7 +329,15 @@ public class PathPlanner extends EventDrivenService {
     }
     return blind.brakes()
         ? List.of(NavigationPoint.at(Point.of(1.0, 0.0, 0.0)).speed(0.0))
-        : end.planFailsafe(Vehicle.of(state).orElseThrow(), Optional.empty());
+        : hold(Vehicle.of(state).orElseThrow(), Optional.empty());
+  }
+
+  private List<NavigationPoint> hold(Vehicle vehicle, Optional<Place> place) {
+    return climb(Optional.empty(), vehicle).map(List::of).orElseGet(() -> end.plan(vehicle, place));
+  }
+
+  private Optional<NavigationPoint> climb(Optional<GoalInformation> to, Vehicle vehicle) {
+    return ground.climb(to, vehicle, lines().lookAheadM(vehicle.speedMps()));
   }
 
   private Optional<GoalInformation> choose(StateInformation state, boolean stateless) {
@@ -402,7 +409,9 @@ public class PathPlanner extends EventDrivenService {
     foreseen = after.map(GoalInformation::uid).orElse("");
     Plan plan =
         Vehicle.of(state)
-            .flatMap(vehicle -> ground.rise(chosen, vehicle))
+            .flatMap(
+                vehicle ->
+                    ground.rise(chosen, vehicle).or(() -> climb(Optional.of(chosen), vehicle)))
             .map(up -> Plan.underWay(List.of(up)))
             .orElseGet(() -> planner.get().plan(pursuit));
     ground.lead(chosen, plan, clock().micros());
@@ -440,9 +449,8 @@ public class PathPlanner extends EventDrivenService {
     if (stays()) {
       return ground.points(vehicle);
     }
-    return failsafe == FailsafeAction.RETURN
-        ? end.planFailsafe(vehicle, holdAt)
-        : end.plan(vehicle, holdAt);
+    boolean holds = failsafe == FailsafeAction.RETURN || settings.get().holdsAtEnd();
+    return holds ? hold(vehicle, holdAt) : List.of();
   }
 
   private void publish(List<NavigationPoint> points, StateInformation state) {

@@ -3,6 +3,7 @@ package org.u2sa.planning;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
@@ -130,5 +131,39 @@ class GroundStayTest {
     assertThat(watch.stays(WAYPOINT)).isTrue();
     watch.see(vehicle(50.0, 20.0)); // in the air
     assertThat(watch.stays(WAYPOINT)).isFalse();
+  }
+
+  private Optional<List<Double>> climb(GoalInformation goal, double upM) {
+    return watch
+        .climb(Optional.ofNullable(goal), vehicle(upM, 20.0), 60.0)
+        .map(point -> List.of(point.point().x(), point.point().z()));
+  }
+
+  @Test
+  void climb_holdsOrLeavesALandingWhileLow_straightAheadToHalfTheMinimumHeight() {
+    GoalInformation landing = new Landing().uid("down");
+    watch.see(vehicle(100.0, 0.0));
+    lead(0.0, 2.0);
+    watch.lead(landing, UNDER_WAY, 3_000_000L);
+
+    assertThat(climb(landing, 109.0)).isEmpty();
+    assertThat(climb(waypoint(), 109.0)).hasValue(List.of(60.0, -31.0));
+    watch.lead(waypoint(), UNDER_WAY, 4_000_000L);
+    assertThat(climb(waypoint(), 119.0)).hasValue(List.of(60.0, -21.0));
+    assertThat(climb(waypoint(), 121.0)).isEmpty();
+    assertThat(climb(waypoint(), 119.0)).isEmpty(); // a mission may descend below
+    assertThat(climb(null, 119.0)).isPresent();
+  }
+
+  @Test
+  void climb_takeOffOrAWaypointAfterIt_isEmpty() {
+    watch.see(vehicle(100.0, 0.0));
+    lead(0.0, 2.0);
+    assertThat(climb(TAKE_OFF.get(0), 109.0)).isEmpty();
+
+    watch.lead(TAKE_OFF.get(0), new Plan(List.of(), Plan.Progress.COMPLETED, ""), 3_000_000L);
+    assertThat(climb(waypoint(), 109.0)).isEmpty();
+    isAeroplane = false;
+    assertThat(climb(null, 109.0)).isEmpty();
   }
 }
