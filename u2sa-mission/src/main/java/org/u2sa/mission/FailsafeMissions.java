@@ -104,6 +104,18 @@ final class FailsafeMissions {
     return copy;
   }
 
+  /** Whether current goals lead home or to a landing, rather than along the mission. */
+  boolean lead(Set<String> current) {
+    List<String> own = MissionRun.names(run.mission().goals());
+    return !current.isEmpty() && current.stream().allMatch(uid -> !own.contains(uid) && leads(uid));
+  }
+
+  private static boolean leads(String uid) {
+    return uid.equals(Home.NAME)
+        || uid.startsWith(FailsafeAction.RETURN + " ")
+        || uid.startsWith(FailsafeAction.LAND + " ");
+  }
+
   /** Goal that leads to a return place. */
   static GoalInformation returning(Waypoint place) {
     return renamed(place, FailsafeAction.RETURN + " ");

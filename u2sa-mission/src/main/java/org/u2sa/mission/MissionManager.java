@@ -428,6 +428,9 @@ public final class MissionManager extends PeriodicService {
     if (run.progress().isHeld()) {
       list.paused(true);
     }
+    if (failsafes.lead(sequence.currentNames())) {
+      list.returning(true);
+    }
     List<String> faults = files.faults();
     return faults.isEmpty() ? list : list.fileFaults(faults);
   }

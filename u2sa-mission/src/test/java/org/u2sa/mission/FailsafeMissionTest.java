@@ -23,6 +23,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.mission.GoalCommand;
 import org.u2sa.messages.safety.FailsafeAction;
@@ -145,6 +146,8 @@ class FailsafeMissionTest {
     failsafe(FailsafeAction.RETURN);
     Waypoint home = (Waypoint) kit.latest(Channels.GOALS).orElseThrow().goals().get(0);
     assertThat(home.uid()).isEqualTo("RETURN home");
+    assertThat(kit.published(Channels.GOALS)).extracting(GoalList::returning).contains(false);
+    assertThat(kit.latest(Channels.GOALS).orElseThrow().returning()).isTrue();
     assertThat(home.x()).hasValue(0.5);
     complete("RETURN home");
     assertThat(goals()).isEmpty();

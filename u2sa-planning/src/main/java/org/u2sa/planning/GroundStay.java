@@ -10,6 +10,7 @@ import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.goal.TakeOff;
 import org.u2sa.messages.goal.Waypoint;
@@ -21,12 +22,13 @@ import org.u2sa.service.handover.HandOver;
 /**
  * Whether an aircraft still or again stands on the ground, where holding a position must not lift
  * it off; and the minimum height above that ground at which an aeroplane circles or returns. An
- * aircraft has left the ground once it has been led to a goal for a second while armed, or is fast;
- * until it has landed or is disarmed.
+ * multirotor has left the ground once it has been led to a goal for a second while armed, an
+ * aeroplane once it is fast or high; until it has landed or is disarmed.
  */
 final class GroundStay {
   private static final double AT_REST_MPS = 1.0;
   private static final double MOVES_MPS = 5.0;
+  private static final double FLIES_M = 10.0; // in a head wind
   private static final double RISE_M = 2.0;
   private static final double DOWN_M = 1.0;
   private static final long LED_MICROS = Clock.MICROS_PER_SECOND;
@@ -37,6 +39,9 @@ final class GroundStay {
   private boolean armed = true; // without an arming service
   private boolean left;
   private boolean landed;
+  private boolean wasLed; // since it was armed
+  private boolean takesOff; // its missions contain take-offs
+  private boolean returns;
   private boolean descends; // is being led to a landing
   private long firstLed = NEVER;
   private OptionalDouble groundUpM = OptionalDouble.empty(); // where it last stood
@@ -51,19 +56,26 @@ final class GroundStay {
   }
 
   void handOver(HandOver state) {
-    state.flag("LEFT GROUND", left).flag("LANDED", landed);
+    state.flag("LEFT GROUND", left).flag("LANDED", landed).flag("TAKES OFF", takesOff);
     groundUpM.ifPresent(altitude -> state.number("GROUND UP", altitude));
   }
 
   void takeOver(HandOver state) {
     left = state.flag("LEFT GROUND");
     landed = state.flag("LANDED");
+    takesOff = state.flag("TAKES OFF");
     groundUpM = state.number("GROUND UP");
   }
 
   void heed(ArmingState state) {
     armed = state.armed();
     left &= armed;
+    wasLed &= armed;
+  }
+
+  void heedGoals(GoalList goals) {
+    takesOff |= goals.goals().stream().anyMatch(TakeOff.class::isInstance);
+    returns = goals.returning();
   }
 
   /** Flown by hand, it may be anywhere afterwards. */
@@ -73,9 +85,11 @@ final class GroundStay {
   }
 
   void see(Vehicle vehicle) {
-    left |= vehicle.speedMps() > MOVES_MPS; // as off a catapult
+    OptionalDouble upM = vehicle.place().upM();
+    left |= vehicle.speedMps() > MOVES_MPS; // too fast to stop, or off a catapult
+    left |= upM.isPresent() && upM.getAsDouble() > groundUpM.orElse(Double.MAX_VALUE) + FLIES_M;
     if ((!left || landed) && vehicle.speedMps() < AT_REST_MPS) {
-      groundUpM = vehicle.place().upM();
+      groundUpM = upM;
     }
   }
 
@@ -89,7 +103,9 @@ final class GroundStay {
     } else if (firstLed == NEVER) {
       firstLed = micros;
     }
-    left |= firstLed != NEVER && micros - firstLed >= LED_MICROS;
+    wasLed |= !plan.points().isEmpty();
+    boolean isLed = firstLed != NEVER && micros - firstLed >= LED_MICROS;
+    left |= isLed && !isAeroplane.getAsBoolean(); // which may stand while its engine starts
     boolean isAtGround = descends || goal instanceof TakeOff;
     atGround = isAtGround && plan.progress() == Plan.Progress.UNDER_WAY ? goal.uid() : "";
   }
@@ -148,20 +164,27 @@ final class GroundStay {
   }
 
   /** Whether holding means staying on the ground. */
-  boolean stays(List<GoalInformation> goals) {
-    boolean isAircraft =
-        isAeroplane.getAsBoolean() || goals.stream().anyMatch(TakeOff.class::isInstance);
-    return landed || (!left && isAircraft);
+  boolean stays() {
+    return landed || (!left && (isAeroplane.getAsBoolean() || takesOff));
+  }
+
+  /** Whether its goals lead home or to a landing, although it is on the ground. */
+  boolean isBack() {
+    return returns && stays();
   }
 
   /**
-   * Points that keep it on the ground: for a multirotor that has landed, straight down, because
-   * without a point its control would hover, and drag it along with every error of its velocity.
+   * Points that keep it on the ground if it was led before, because the last one still counts for a
+   * while: an aeroplane at a speed of 0, a multirotor straight down, because without a point its
+   * control would hover, and drag it along with every error of its velocity.
    */
   List<NavigationPoint> points(Vehicle vehicle) {
-    return landed && !isAeroplane.getAsBoolean()
-        ? List.of(NavigationPoint.at(vehicle.body(Point.of(0.0, 0.0, DOWN_M))))
-        : List.of();
+    if (!landed && !wasLed) {
+      return List.of();
+    }
+    return isAeroplane.getAsBoolean()
+        ? List.of(NavigationPoint.at(Point.of(1.0, 0.0, 0.0)).speed(0.0))
+        : List.of(NavigationPoint.at(vehicle.body(Point.of(0.0, 0.0, DOWN_M))));
   }
 
   /** A place at the minimum height at least; unchanged without altitude. */

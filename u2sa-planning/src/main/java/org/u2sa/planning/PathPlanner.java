@@ -178,6 +178,7 @@ public class PathPlanner extends EventDrivenService {
     }
     end.takeOver(state);
     ground.takeOver(state);
+    goals.ifPresent(ground::heedGoals);
     failsafe = state.text("FAILSAFE").map(FailsafeAction::valueOf).orElse(FailsafeAction.CONTINUE);
   }
 
@@ -195,6 +196,7 @@ public class PathPlanner extends EventDrivenService {
     }
     boolean held = isHolding();
     goals = Optional.of(list);
+    ground.heedGoals(list);
     if (isHolding() != held) {
       log(list.paused() ? "mission paused" : "mission continues");
       changeHolding();
@@ -305,7 +307,12 @@ public class PathPlanner extends EventDrivenService {
     if (isHolding()) {
       ground.hold();
       Vehicle vehicle = Vehicle.of(state).orElseThrow();
-      return stays() ? ground.points(vehicle) : hold(vehicle, Optional.empty());
+      return ground.stays() ? ground.points(vehicle) : hold(vehicle, Optional.empty());
+    }
+    if (ground.isBack()) {
+      complain("returning: already on the ground", "on the ground");
+      ground.hold();
+      return ground.points(Vehicle.of(state).orElseThrow());
     }
     boolean stands = blind.stands(failsafe, clock().micros());
     Optional<GoalInformation> chosen = choose(state, stateless);
@@ -316,10 +323,6 @@ public class PathPlanner extends EventDrivenService {
       return List.of();
     }
     return stands ? standing(state) : pursue(chosen.get(), state, stateless);
-  }
-
-  private boolean stays() {
-    return ground.stays(goals.map(GoalList::goals).orElse(List.of()));
   }
 
   /** Stops a vehicle whose surroundings are unknown, or circles if it cannot stop. */
@@ -446,7 +449,7 @@ public class PathPlanner extends EventDrivenService {
     goal = Optional.empty();
     ground.hold();
     Vehicle vehicle = Vehicle.of(state).orElseThrow();
-    if (stays()) {
+    if (ground.stays()) {
       return ground.points(vehicle);
     }
     boolean holds = failsafe == FailsafeAction.RETURN || settings.get().holdsAtEnd();

@@ -10,6 +10,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.TakeOff;
@@ -56,15 +57,52 @@ class GroundStayTest {
 
   @Test
   void stays_beforeItWasLedForASecond_onlyAircraftDo() {
-    assertThat(watch.stays(WAYPOINT)).isTrue();
+    assertThat(watch.stays()).isTrue();
     isAeroplane = false;
-    assertThat(watch.stays(TAKE_OFF)).isTrue();
-    assertThat(watch.stays(WAYPOINT)).isFalse();
+    assertThat(watch.stays()).isFalse();
+    watch.heedGoals(new GoalList().goals(TAKE_OFF));
+    watch.heedGoals(new GoalList().goals(WAYPOINT));
+    assertThat(watch.stays()).isTrue();
 
     lead(0.0, 0.8);
-    assertThat(watch.stays(TAKE_OFF)).isTrue();
+    assertThat(watch.stays()).isTrue();
     lead(0.9, 1.1);
-    assertThat(watch.stays(TAKE_OFF)).isFalse();
+    assertThat(watch.stays()).isFalse();
+  }
+
+  @Test
+  void stays_aeroplaneThatIsLedButStands_untilItIsFast() {
+    lead(0.0, 9.0);
+    watch.see(vehicle(0.0, 4.0));
+    assertThat(watch.stays()).isTrue();
+
+    watch.see(vehicle(0.0, 6.0));
+    assertThat(watch.stays()).isFalse();
+  }
+
+  @Test
+  void isBack_goalsLeadHomeWhileOnTheGround_untilItHasLeft() {
+    watch.heedGoals(new GoalList().goals(WAYPOINT));
+    assertThat(watch.isBack()).isFalse();
+    watch.heedGoals(new GoalList().goals(WAYPOINT).returning(true));
+    assertThat(watch.isBack()).isTrue();
+
+    watch.see(vehicle(0.0, 6.0));
+    assertThat(watch.isBack()).isFalse();
+  }
+
+  @Test
+  void points_multirotorLedBeforeItLeft_straightDownUntilDisarmed() {
+    isAeroplane = false;
+    assertThat(watch.points(vehicle(0.0, 0.0))).isEmpty();
+    lead(0.0, 0.5);
+    watch.hold();
+    assertThat(watch.points(vehicle(0.0, 0.0)))
+        .singleElement()
+        .satisfies(down -> assertThat(down.point().z()).isEqualTo(1.0));
+
+    watch.heed(new ArmingState().armed(false));
+    assertThat(watch.points(vehicle(0.0, 0.0))).isEmpty();
   }
 
   @Test
@@ -76,27 +114,26 @@ class GroundStayTest {
     watch.hold();
     lead(9.0, 9.8);
 
-    assertThat(watch.stays(WAYPOINT)).isTrue();
+    assertThat(watch.stays()).isTrue();
   }
 
   @Test
   void stays_fastWithoutBeingLedOrFlownByHand_hasLeft() {
     watch.see(vehicle(0.0, 4.0));
-    assertThat(watch.stays(WAYPOINT)).isTrue();
+    assertThat(watch.stays()).isTrue();
     watch.see(vehicle(0.0, 6.0));
-    assertThat(watch.stays(WAYPOINT)).isFalse();
+    assertThat(watch.stays()).isFalse();
 
     watch.lead(new Landing(), new Plan(List.of(), Plan.Progress.COMPLETED, "stands"), 9_000_000L);
-    assertThat(watch.stays(WAYPOINT)).isTrue();
+    assertThat(watch.stays()).isTrue();
     watch.flownByHand();
-    assertThat(watch.stays(WAYPOINT)).isFalse();
+    assertThat(watch.stays()).isFalse();
   }
 
   @Test
   void raised_lowOverTheGroundItTookOffFrom_isAtTheMinimumHeight() {
     watch.see(vehicle(100.0, 0.0));
-    lead(0.0, 1.1);
-    watch.see(vehicle(103.0, 0.5)); // in a head wind
+    watch.see(vehicle(111.0, 0.5)); // in a head wind
 
     assertThat(watch.raised(vehicle(110.0, 20.0).place()).upM()).hasValue(140.0);
     assertThat(watch.raised(vehicle(150.0, 20.0).place()).upM()).hasValue(150.0);
@@ -119,18 +156,20 @@ class GroundStayTest {
 
   @Test
   void stays_afterALandingOrDisarmed_untilItIsLedForASecondAgain() {
+    isAeroplane = false;
+    watch.heedGoals(new GoalList().goals(TAKE_OFF));
     lead(0.0, 2.0);
     watch.lead(new Landing(), new Plan(List.of(), Plan.Progress.COMPLETED, "stands"), 3_000_000L);
     lead(4.0, 4.2);
-    assertThat(watch.stays(WAYPOINT)).isTrue();
+    assertThat(watch.stays()).isTrue();
     lead(4.3, 5.2);
-    assertThat(watch.stays(WAYPOINT)).isFalse();
+    assertThat(watch.stays()).isFalse();
 
     watch.heed(new ArmingState().armed(false));
     watch.heed(new ArmingState().armed(true));
-    assertThat(watch.stays(WAYPOINT)).isTrue();
+    assertThat(watch.stays()).isTrue();
     watch.see(vehicle(50.0, 20.0)); // in the air
-    assertThat(watch.stays(WAYPOINT)).isFalse();
+    assertThat(watch.stays()).isFalse();
   }
 
   private Optional<List<Double>> climb(GoalInformation goal, double upM) {
@@ -143,7 +182,7 @@ class GroundStayTest {
   void climb_holdsOrLeavesALandingWhileLow_straightAheadToHalfTheMinimumHeight() {
     GoalInformation landing = new Landing().uid("down");
     watch.see(vehicle(100.0, 0.0));
-    lead(0.0, 2.0);
+    watch.see(vehicle(103.0, 20.0));
     watch.lead(landing, UNDER_WAY, 3_000_000L);
 
     assertThat(climb(landing, 109.0)).isEmpty();
@@ -158,6 +197,7 @@ class GroundStayTest {
   @Test
   void climb_takeOffOrAWaypointAfterIt_isEmpty() {
     watch.see(vehicle(100.0, 0.0));
+    watch.see(vehicle(103.0, 20.0));
     lead(0.0, 2.0);
     assertThat(climb(TAKE_OFF.get(0), 109.0)).isEmpty();
 

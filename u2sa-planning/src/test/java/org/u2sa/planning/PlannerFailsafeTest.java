@@ -30,6 +30,10 @@ class PlannerFailsafeTest {
   }
 
   private void begin() {
+    begin(5.0);
+  }
+
+  private void begin(double speedMps) {
     planner = kit.start(PathPlanner::new);
     Waypoint far =
         new Waypoint()
@@ -40,10 +44,14 @@ class PlannerFailsafeTest {
             .horizontalThreshold(2.0);
     goals.goals(List.of(far));
     kit.publish(Channels.GOALS, (GoalList) goals.copy());
-    state(0.0);
+    state(0.0, speedMps);
   }
 
   private void state(double north) {
+    state(north, 5.0);
+  }
+
+  private void state(double north, double speedMps) {
     kit.advance(0.1);
     kit.publish(
         Channels.STATE,
@@ -53,7 +61,7 @@ class PlannerFailsafeTest {
             .y(0.0)
             .z(-80.0)
             .psi(0.0)
-            .xDot(5.0)
+            .xDot(speedMps)
             .yDot(0.0));
   }
 
@@ -78,6 +86,26 @@ class PlannerFailsafeTest {
     state(250.0);
 
     assertThat(point().y()).isCloseTo(-50.0 * Math.sin(10.0 / 50.0), within(1e-6));
+  }
+
+  @Test
+  void goals_leadHomeWhileAnAeroplaneStands_itStaysAndSaysSoOnce() {
+    kit.with("LOITER RADIUS", 50.0).with("TURN ACCELERATION", 3.0);
+    goals.returning(true);
+    begin(0.0);
+    stands();
+    assertThat(kit.published(Channels.NAVIGATION)).isEmpty();
+    assertThat(kit.log("PathPlanner"))
+        .filteredOn(line -> line.contains("returning: already on the ground"))
+        .hasSize(1);
+
+    kit.publish(Channels.GOALS, (GoalList) goals.returning(false).copy());
+    stands();
+    assertThat(kit.published(Channels.NAVIGATION)).hasSize(1);
+  }
+
+  private void stands() {
+    state(0.0, 0.0);
   }
 
   @Test

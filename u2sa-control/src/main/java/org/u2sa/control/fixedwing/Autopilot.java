@@ -24,6 +24,7 @@ public final class Autopilot {
   private final LandingRefusal refusal;
 
   private FlightPhase phase = FlightPhase.RUN_UP;
+  private boolean isArmed = true;
   private boolean takenOver; // taken over from another law: the throttle must not jump
   private double lastTimeS = Double.NaN;
   private double navigatedS; // when navigation was last present
@@ -38,6 +39,12 @@ public final class Autopilot {
     refusal =
         new LandingRefusal(
             tuning.touchDown().maxCrosswind(), tuning.takeOff().safeHeight(), touchDown.heightM());
+  }
+
+  /** Whether the vehicle is armed: otherwise no take-off begins. */
+  void armed(boolean now) {
+    isArmed = now;
+    sequence.armed(now);
   }
 
   /**
@@ -87,7 +94,7 @@ public final class Autopilot {
     double wanted = 0.0;
     if (!sequence.engineReady(state)) {
       wanted = tuning.climbOut().startThrottle();
-    } else if (navigating && sequence.cleared(state)) {
+    } else if (isArmed && navigating && sequence.cleared(state)) {
       wanted = 1.0;
     }
     loops.throttleTowards(wanted, dtS);

@@ -32,6 +32,8 @@ public final class CessnaControl extends ControlSystem {
   private static final double STATUS_INTERVAL_S = 1.0;
   private static final double FULL_PERCENT = 100.0;
   private static final String FIRST_STATE = "FIRST STATE"; // in the hand-over
+  private static final String SAVED = "SAVED"; // when
+  private static final double FRESH_S = 1.0;
   private static final double AT_REST_MPS = 2.0; // over ground
 
   private record Outputs(
@@ -53,6 +55,7 @@ public final class CessnaControl extends ControlSystem {
   private ManualState byHand = new ManualState(); // by the pilot's radio
   private double firstS = Double.NaN; // time of the first state
   private boolean isArmed = true; // without an arming service, actuators obey immediately
+  private boolean isGroundSaved;
   private FlightPhase loggedPhase;
   private boolean loggedNavigating;
   private double statusDueS = Double.NEGATIVE_INFINITY;
@@ -109,12 +112,14 @@ public final class CessnaControl extends ControlSystem {
       return;
     }
     FlightState now = seen.get();
-    Optional<GuidanceTarget> target = point.flatMap(navigation -> target(navigation, now));
+    Optional<GuidanceTarget> target =
+        point.filter(CessnaControl::leads).flatMap(navigation -> target(navigation, now));
     lookAtSurfaces();
     boolean mayMove = mayMove(now);
     if (!mayMove && (loggedPhase == FlightPhase.CRUISE || loggedPhase == FlightPhase.HOLD)) {
       autopilot = new Autopilot(tuning.get()); // on a launcher its integrals would wind up
     }
+    autopilot.armed(isArmed);
     Surfaces surfaces = mixing.of(autopilot.step(now, target));
     boolean elevons = outputs.get().elevons();
     if (elevons) {
@@ -134,6 +139,18 @@ public final class CessnaControl extends ControlSystem {
       }
     }
     report(now, target.isPresent());
+    if (reader.hasFlown() && !isGroundSaved) {
+      isGroundSaved = true;
+      remember();
+      if (reader.lacksGround()) {
+        trouble("the altitude of the ground is unknown: started in flight, it cannot land");
+      }
+    }
+  }
+
+  /** Whether it leads anywhere: a speed of 0 tells an aeroplane on the ground to stay there. */
+  private static boolean leads(NavigationPoint point) {
+    return point.speed().orElse(1.0) > 0.0;
   }
 
   /**
@@ -235,16 +252,19 @@ public final class CessnaControl extends ControlSystem {
     super.handOver(state);
     reader.handOver(state);
     autopilot.transfer(Transfer.saving(state));
-    state.number(FIRST_STATE, firstS);
+    state.number(FIRST_STATE, firstS).number(SAVED, nowS());
   }
 
   @Override
   protected void takeOver(HandOver state) {
+    reader.takeOver(state);
+    firstS = state.number(FIRST_STATE).orElse(firstS);
+    if (nowS() - state.number(SAVED).orElse(nowS()) > FRESH_S) {
+      return; // remembered before a restart: the aircraft is elsewhere, in another phase
+    }
     super.takeOver(state);
     if (isOfMyClass(state)) {
-      reader.takeOver(state);
       autopilot.transfer(Transfer.restoring(state));
-      firstS = state.number(FIRST_STATE).orElse(firstS);
     } else {
       takeOverCommands();
     }

@@ -60,6 +60,16 @@ final class FlightStateReader {
     this.settings = settings;
   }
 
+  /** Whether the altitude of the ground has been learnt, because the first flight has begun. */
+  boolean hasFlown() {
+    return ground.hasFlown();
+  }
+
+  /** Whether heights refer to a ground whose altitude was not learnt before the flight. */
+  boolean lacksGround() {
+    return settings.get().ground() == GroundReference.Source.START && !ground.isKnown();
+  }
+
   /** Saves the origin of north and east. */
   void handOver(HandOver state) {
     if (ground.isKnown()) {

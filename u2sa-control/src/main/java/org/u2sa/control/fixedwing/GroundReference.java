@@ -49,6 +49,11 @@ final class GroundReference {
         Double.isNaN(groundM) ? seenM : groundM + dtS / (TIME_CONSTANT_S + dtS) * (seenM - groundM);
   }
 
+  /** Whether the aircraft has begun its first flight, after which the altitude is kept. */
+  boolean hasFlown() {
+    return flown;
+  }
+
   boolean isKnown() {
     return !Double.isNaN(groundM);
   }

@@ -28,10 +28,12 @@ final class TakeOffSequence {
   private static final double FLYING_HEIGHT_M = 15.0; // wheels at this height mean flying
   private static final double LIFTED_FOR_S = 0.3; // shorter lift-offs are hops
   private static final double LANDED_FOR_S = 1.0;
+  private static final double STANDS_MPS = 1.0;
 
   private final Variables parameters;
   private final double rotationMps; // in calm air
   private FlightPhase phase;
+  private boolean isArmed = true;
   private double readySinceS = Double.NaN;
   private double liftedSinceS = Double.NaN;
   private double landedSinceS = Double.NaN;
@@ -53,6 +55,11 @@ final class TakeOffSequence {
     return Optional.ofNullable(phase);
   }
 
+  /** Disarmed, it neither begins nor continues a take-off run, and at rest it is ready for one. */
+  void armed(boolean now) {
+    isArmed = now;
+  }
+
   /**
    * @param navigating whether navigation is present and fresh
    * @param landing whether it leads to the ground, and the ground is near
@@ -72,27 +79,40 @@ final class TakeOffSequence {
     readySinceS = since(readySinceS, engineReady(state) && navigating, state.timeS());
     FlightPhase flying =
         !navigating ? FlightPhase.HOLD : refused ? FlightPhase.GO_AROUND : FlightPhase.CRUISE;
+    if (phase == null && !navigating && !isHigh(state)) {
+      // not known yet whether it takes off or lands
+      return isSlow(state) ? FlightPhase.RUN_UP : FlightPhase.HOLD;
+    }
     phase = next(state, flying, landing && !refused, rotateMps, throttle);
     return phase;
   }
 
+  private static boolean isHigh(FlightState state) {
+    return !state.onGround() && state.heightM() > FLYING_HEIGHT_M;
+  }
+
+  private boolean isSlow(FlightState state) {
+    return state.calibratedAirspeedMps() < rotationMps;
+  }
+
   private FlightPhase next(
       FlightState state, FlightPhase flying, boolean landing, double rotateMps, double throttle) {
-    boolean high = !state.onGround() && state.heightM() > FLYING_HEIGHT_M;
+    boolean high = isHigh(state);
     if (phase == null) {
       return high ? flying : first(state, landing);
     }
     return switch (phase) {
       case RUN_UP -> {
-        boolean open = cleared(state) && throttle >= parameters.releaseThrottle();
+        boolean open = isArmed && cleared(state) && throttle >= parameters.releaseThrottle();
         yield high ? flying : open ? FlightPhase.ROLL : FlightPhase.RUN_UP;
       }
       case ROLL -> {
         if (state.calibratedAirspeedMps() >= rotateMps) {
           yield FlightPhase.ROTATE;
         }
-        // Without navigation or power, reject the take-off while braking is possible.
-        yield flying != FlightPhase.HOLD && state.engineRpm() >= parameters.readyRpm()
+        // Disarmed, or without navigation or power, reject it while braking is possible.
+        boolean isLed = isArmed && flying != FlightPhase.HOLD;
+        yield isLed && state.engineRpm() >= parameters.readyRpm()
             ? FlightPhase.ROLL
             : FlightPhase.STOPPED;
       }
@@ -100,26 +120,28 @@ final class TakeOffSequence {
           lasting(liftedSinceS, state, LIFTED_FOR_S) ? FlightPhase.CLIMB_OUT : FlightPhase.ROTATE;
       case CLIMB_OUT -> state.heightM() >= parameters.safeHeight() ? flying : FlightPhase.CLIMB_OUT;
       case CRUISE, HOLD, GO_AROUND -> {
-        boolean landed =
-            lasting(landedSinceS, state, LANDED_FOR_S)
-                && state.calibratedAirspeedMps() < rotationMps;
+        boolean landed = lasting(landedSinceS, state, LANDED_FOR_S) && isSlow(state);
         yield landed ? FlightPhase.STOPPED : landing ? FlightPhase.FLARE : flying;
       }
       case FLARE -> {
         boolean landed = lasting(landedSinceS, state, LANDED_FOR_S);
         yield landed ? FlightPhase.STOPPED : high ? flying : FlightPhase.FLARE;
       }
-      case STOPPED -> high ? flying : FlightPhase.STOPPED;
+      case STOPPED -> {
+        boolean again = !isArmed && state.groundSpeedMps() < STANDS_MPS;
+        yield high ? flying : again ? FlightPhase.RUN_UP : FlightPhase.STOPPED;
+      }
     };
   }
 
   /**
    * Initial phase of a control system started near the ground: brakes and idle if the aircraft is
-   * at rest or too slow to fly.
+   * at rest or too slow to fly, for good if it rolls out.
    */
   private FlightPhase first(FlightState state, boolean landing) {
-    if (state.calibratedAirspeedMps() < rotationMps) {
-      return FlightPhase.RUN_UP;
+    if (isSlow(state)) {
+      boolean rollsOut = landing && state.onGround() && state.groundSpeedMps() > STANDS_MPS;
+      return rollsOut ? FlightPhase.STOPPED : FlightPhase.RUN_UP;
     }
     if (landing) {
       return state.onGround() ? FlightPhase.STOPPED : FlightPhase.FLARE;

@@ -9,6 +9,7 @@ import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.service.ServiceContext;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Control of the thesis's Cessna (4.5.2.5), kept for teaching. In: state, navigation. Out:
@@ -43,6 +44,18 @@ public final class ThesisControl extends ControlSystem {
     for (AircraftActuator actuator : AircraftActuator.values()) {
       command(actuator.actuatorName(), FULL_PERCENT * actuator.of(surfaces));
     }
+  }
+
+  @Override
+  protected void handOver(HandOver state) {
+    super.handOver(state);
+    reader.handOver(state);
+  }
+
+  @Override
+  protected void takeOver(HandOver state) {
+    super.takeOver(state);
+    reader.takeOver(state);
   }
 
   @Override

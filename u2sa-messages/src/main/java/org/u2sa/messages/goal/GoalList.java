@@ -26,6 +26,7 @@ public final class GoalList extends U2SAData {
       SCHEMA.optionalNotes("fileFaults");
   private static final ValueField<GoalList, Boolean> PAUSED = SCHEMA.optionalFlag("paused");
   private static final NumberField<GoalList> ELAPSED = SCHEMA.optionalNumber("elapsed", "s", 0.0);
+  private static final ValueField<GoalList, Boolean> RETURNING = SCHEMA.optionalFlag("returning");
 
   public static final MessageType<GoalList> TYPE = SCHEMA.build();
 
@@ -88,6 +89,18 @@ public final class GoalList extends U2SAData {
 
   public GoalList paused(boolean value) {
     return put(PAUSED, value);
+  }
+
+  /**
+   * Whether {@link #goals()} lead home or to a landing on request of a failsafe or operator: an
+   * aircraft on the ground does not take off for them. False from senders that predate the field.
+   */
+  public boolean returning() {
+    return Boolean.TRUE.equals(get(RETURNING));
+  }
+
+  public GoalList returning(boolean value) {
+    return put(RETURNING, value);
   }
 
   /**

@@ -11,6 +11,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.AircraftState;
 import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.command.ActuatorCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
@@ -203,6 +204,61 @@ class CessnaControlTest {
   }
 
   @Test
+  void callback_pointWithSpeed0WhileItRuns_brakesAtOnce() {
+    kit.start(CessnaControl::new);
+    fly(standing(), Point.of(300.0, 0.0, -100.0), 150);
+    assertThat(kit.percent("THROTTLE")).isEqualTo(100.0);
+
+    NavigationPoint stay = NavigationPoint.at(Point.of(1.0, 0.0, 0.0)).speed(0.0);
+    stay.timestamp(kit.clock().micros());
+    kit.publish(Channels.NAVIGATION, stay);
+    state(standing());
+    assertThat(kit.latest(ControlStatus.CHANNEL).orElseThrow().phase())
+        .isEqualTo(FlightPhase.STOPPED);
+    assertThat(kit.percent("LEFT BRAKE")).isPositive();
+  }
+
+  @Test
+  void takeOver_restartedOrSwappedTwiceInFlight_flaresOverTheGroundItTookOffFrom() {
+    CessnaControl first = kit.with("GROUND", "START").start(CessnaControl::new);
+    fly(sensed(standing()), Point.of(300.0, 0.0, -100.0), 40);
+    fly(sensed(flying()), Point.of(300.0, 0.0, 0.0), 40);
+    CessnaControl restarted = kit.restart(first, CessnaControl::new);
+    assertThat(flareBegins()).isTrue();
+
+    fly(sensed(flying()), Point.of(300.0, 0.0, 0.0), 40);
+    ThesisControl between = kit.withoutVariables().swap(restarted, ThesisControl::new);
+    kit.with("GROUND", "START").swap(between, CessnaControl::new);
+    fly(sensed(flying()), Point.of(300.0, 0.0, 0.0), 2);
+    assertThat(flareBegins()).isTrue();
+  }
+
+  @Test
+  void callback_startedInFlightWithoutHeight_saysThatItCannotLand() {
+    kit.with("GROUND", "START").start(CessnaControl::new);
+    fly(sensed(flying()), Point.of(300.0, 0.0, 0.0), 2);
+
+    assertThat(kit.log("Control"))
+        .filteredOn(line -> line.contains("the altitude of the ground is unknown"))
+        .hasSize(1);
+  }
+
+  private boolean flareBegins() {
+    StateInformation low = sensed(flying()).z(6.0);
+    fly(low, Point.of(60.0, 0.0, 3.0), 40);
+    return kit.latest(ControlStatus.CHANNEL).orElseThrow().phase() == FlightPhase.FLARE;
+  }
+
+  /** What an aircraft without sensors of height and weight on wheels knows. */
+  private static StateInformation sensed(AircraftState state) {
+    StateInformation sensed = new StateInformation();
+    for (StateField field : StateField.values()) {
+      state.number(field).ifPresent(value -> sensed.number(field, value));
+    }
+    return sensed;
+  }
+
+  @Test
   void callback_stateLacksAttitude_saysSoAndCommandsNothing() {
     kit.start(CessnaControl::new);
     state(new StateInformation().x(0.0).y(0.0).z(0.0));
@@ -266,7 +322,7 @@ class CessnaControlTest {
         .anyMatch(line -> line.contains("CRUISE SPEED 40.0 m/s is above MAX SPEED 35.0 m/s"));
   }
 
-  private void fly(AircraftState state, Point point, int steps) {
+  private void fly(StateInformation state, Point point, int steps) {
     for (int i = 0; i < steps; i++) {
       state(state);
       NavigationPoint navigation = NavigationPoint.at(point);

@@ -7,8 +7,10 @@ import org.junit.jupiter.api.Test;
 class TakeOffSequenceTest {
   private static final double ROTATION_MPS = 28.3;
 
-  private final TakeOffSequence sequence =
-      new TakeOffSequence(new TakeOffSequence.Variables(600.0, 1.0, 0.5, 55.0, 100.0));
+  private static final TakeOffSequence.Variables VARIABLES =
+      new TakeOffSequence.Variables(600.0, 1.0, 0.5, 55.0, 100.0);
+
+  private final TakeOffSequence sequence = new TakeOffSequence(VARIABLES);
   private double timeS;
 
   @Test
@@ -99,6 +101,51 @@ class TakeOffSequenceTest {
     step(rolling(20.0), true, 0.5);
     timeS += 1.1;
     assertThat(step(rolling(19.0), true, 0.5)).isEqualTo(FlightPhase.STOPPED);
+  }
+
+  @Test
+  void step_disarmed_neitherBeginsNorContinuesATakeOffRun() {
+    sequence.armed(false);
+    roll();
+    assertThat(step(States.standing(), true, 0.6)).isEqualTo(FlightPhase.RUN_UP);
+
+    sequence.armed(true);
+    assertThat(step(States.standing(), true, 0.6)).isEqualTo(FlightPhase.ROLL);
+    sequence.armed(false);
+    assertThat(step(rolling(20.0), true, 1.0)).isEqualTo(FlightPhase.STOPPED);
+  }
+
+  @Test
+  void step_disarmedAtRestAfterARun_mayTakeOffAgain() {
+    roll();
+    step(rolling(20.0), false, 1.0);
+    step(States.standing(), true, 0.0);
+    assertThat(step(States.standing(), true, 0.0)).isEqualTo(FlightPhase.STOPPED);
+
+    sequence.armed(false);
+    assertThat(step(rolling(2.0), true, 0.0)).isEqualTo(FlightPhase.STOPPED);
+    assertThat(step(States.standing(), true, 0.0)).isEqualTo(FlightPhase.RUN_UP);
+    sequence.armed(true);
+    timeS += 1.0;
+    assertThat(step(States.standing(), true, 0.6)).isEqualTo(FlightPhase.ROLL);
+  }
+
+  @Test
+  void step_firstSeenRollingOutOrFlaringBeforeNavigation_landsOnOnceItArrives() {
+    assertThat(step(rolling(20.0), false, 0.0)).isEqualTo(FlightPhase.RUN_UP);
+    assertThat(land(rolling(20.0))).isEqualTo(FlightPhase.STOPPED);
+
+    TakeOffSequence flaring = new TakeOffSequence(VARIABLES);
+    FlightState state = rolling(31.0).onGround(false).time(timeS).now();
+    assertThat(flaring.step(state, false, false, false, ROTATION_MPS, 0.0))
+        .isEqualTo(FlightPhase.HOLD);
+    assertThat(flaring.step(state, true, true, false, ROTATION_MPS, 0.0))
+        .isEqualTo(FlightPhase.FLARE);
+  }
+
+  private FlightPhase land(States states) {
+    timeS += 0.05;
+    return sequence.step(states.time(timeS).now(), true, true, false, ROTATION_MPS, 0.0);
   }
 
   private void roll() {
