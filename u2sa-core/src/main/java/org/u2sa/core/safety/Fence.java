@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
@@ -113,7 +114,7 @@ final class Fence {
               + MAX_NEAR_SIDES
               + " pairs of sides of its areas cross or are within twice a margin of "
               + CauseText.metres(marginM)
-              + "; expected fewer corners");
+              + ", or it has too many sides to tell; expected fewer corners");
     }
   }
 
@@ -156,9 +157,8 @@ final class Fence {
    * north of a local plane [m], simplified to a tolerance.
    */
   private List<Point> outline(Polygon area, double toleranceM) {
-    Geometry shown = TopologyPreservingSimplifier.simplify(area, toleranceM);
     List<Point> points = new ArrayList<>();
-    for (Coordinate corner : ((Polygon) shown).getExteriorRing().getCoordinates()) {
+    for (Coordinate corner : simplified(area, toleranceM)) {
       Point enu = Point.of(corner.x, corner.y, 0.0);
       points.add(
           origin
@@ -167,6 +167,18 @@ final class Fence {
               .orElse(enu));
     }
     return points.subList(0, Math.max(0, points.size() - 1));
+  }
+
+  private static Coordinate[] simplified(Polygon area, double toleranceM) {
+    Geometry shown = TopologyPreservingSimplifier.simplify(area, toleranceM);
+    return ((Polygon) shown).getExteriorRing().getCoordinates();
+  }
+
+  /** Number of corners of all areas, simplified to a tolerance. */
+  int corners(double toleranceM) {
+    return Stream.concat(keepIn.stream(), keepOuts.stream())
+        .mapToInt(area -> simplified(area, toleranceM).length - 1)
+        .sum();
   }
 
   /**

@@ -67,10 +67,9 @@ record GivenFence(String file, String xml, Fence whole, Fence fence) {
             .collect(Collectors.toList()));
     // Up to the margin, so that ways home never enter the file's areas.
     for (double tolerance : new double[] {OUTLINE_M, 0.5 * marginM, marginM}) {
-      List<Polygon> keepIn = shapes("keep-in", fence.keepIn(tolerance));
-      List<Polygon> keepOut = shapes("keep-out", fence.keepOut(tolerance));
-      if (corners(keepIn) + corners(keepOut) <= MAX_CORNERS) {
-        state.keepIn(keepIn).keepOut(keepOut);
+      if (fence.corners(tolerance) <= MAX_CORNERS) {
+        state.keepIn(shapes("keep-in", fence.keepIn(tolerance)));
+        state.keepOut(shapes("keep-out", fence.keepOut(tolerance)));
         break;
       }
     }
@@ -88,9 +87,5 @@ record GivenFence(String file, String xml, Fence whole, Fence fence) {
       shapes.add(shape.x(first.x()).y(first.y()));
     }
     return shapes;
-  }
-
-  private static int corners(List<Polygon> shapes) {
-    return shapes.stream().mapToInt(shape -> shape.points().size()).sum();
   }
 }

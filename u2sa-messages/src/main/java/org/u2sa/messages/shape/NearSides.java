@@ -11,11 +11,14 @@ import org.u2sa.messages.frame.Point;
  * beforehand.
  */
 public final class NearSides {
+  private static final long MAX_COMPARED = 10_000_000; // some 0.1 s
+
   private NearSides() {}
 
   /**
-   * Number of pairs nearer to each other than a distance; counting ends above a limit. Pairs of one
-   * convex border do not count, and those of two only if they cross.
+   * Number of pairs nearer to each other than a distance; counting ends above a limit, with a
+   * number above it also if too many pairs would have to be compared. Pairs of one convex border do
+   * not count, and those of two only if they cross.
    *
    * @param borders corners of closed borders, in order [m]; z is ignored
    */
@@ -31,11 +34,15 @@ public final class NearSides {
     }
     sides.sort(Comparator.comparingDouble(Side::west));
     int pairs = 0;
+    long compared = 0;
     for (int i = 0; i < sides.size() && pairs <= limit; i++) {
       Side side = sides.get(i);
       double until = side.east() + distanceM;
       for (int k = i + 1; k < sides.size() && sides.get(k).west() < until; k++) {
         pairs += side.isNear(sides.get(k), distanceM) ? 1 : 0;
+        if (++compared > MAX_COMPARED) {
+          return limit + 1;
+        }
       }
     }
     return pairs;

@@ -57,4 +57,20 @@ class NearSidesTest {
     assertThat(NearSides.count(one, 4.9, 100)).isEqualTo(count(dented, 4.9, 100));
     assertThat(NearSides.count(one, 5.1, 100)).isGreaterThan(count(dented, 5.1, 100));
   }
+
+  @Test
+  void count_moreNestedCirclesThanCanBeCompared_exceedsTheLimit() {
+    List<List<Point>> few = new ArrayList<>();
+    List<List<Point>> many = new ArrayList<>();
+    for (int i = 0; i < 800; i++) {
+      List<Point> circle = star(64, 1.0 + 0.01 * i, 1.0 + 0.01 * i);
+      many.add(circle);
+      if (i < 50) {
+        few.add(circle);
+      }
+    }
+
+    assertThat(NearSides.count(few, 1.0, 1_000)).isZero();
+    assertThat(NearSides.count(many, 1.0, 1_000)).isGreaterThan(1_000);
+  }
 }
