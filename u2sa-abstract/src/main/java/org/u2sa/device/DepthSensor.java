@@ -132,6 +132,9 @@ public final class DepthSensor extends DeviceSensor<Pressure> {
               pascals ->
                   log(String.format(Locale.ROOT, "afloat: gauge error of %.0f Pa", pascals)));
     }
+    if (zero.errorPa().isPresent()) {
+      remember(); // restarted under water, it must not take the depth for its error
+    }
   }
 
   @Override

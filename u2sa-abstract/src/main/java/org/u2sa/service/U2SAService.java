@@ -497,7 +497,7 @@ public abstract class U2SAService extends Thread
   final HandOver handedOver() {
     HandOver state = new HandOver(getClass().getName());
     handOver(state);
-    return state;
+    return state.savedAt(nowS());
   }
 
   /** Called before the start with the predecessor. */

@@ -42,6 +42,7 @@ final class GroundStay {
   private boolean wasLed; // since it was armed
   private boolean takesOff; // its missions contain take-offs
   private boolean returns;
+  private List<Boolean> told = List.of(false, false, false, false);
   private boolean descends; // is being led to a landing
   private long firstLed = NEVER;
   private OptionalDouble groundUpM = OptionalDouble.empty(); // where it last stood
@@ -55,8 +56,17 @@ final class GroundStay {
     this.isAeroplane = isAeroplane;
   }
 
+  /** Whether something has changed that must survive a restart; once for each change. */
+  boolean isNews() {
+    List<Boolean> now = List.of(left, landed, takesOff, wasLed);
+    boolean isNews = !now.equals(told);
+    told = now;
+    return isNews;
+  }
+
   void handOver(HandOver state) {
     state.flag("LEFT GROUND", left).flag("LANDED", landed).flag("TAKES OFF", takesOff);
+    state.flag("WAS LED", wasLed);
     groundUpM.ifPresent(altitude -> state.number("GROUND UP", altitude));
   }
 
@@ -64,6 +74,7 @@ final class GroundStay {
     left = state.flag("LEFT GROUND");
     landed = state.flag("LANDED");
     takesOff = state.flag("TAKES OFF");
+    wasLed = state.flag("WAS LED");
     groundUpM = state.number("GROUND UP");
   }
 

@@ -165,6 +165,10 @@ public class PathPlanner extends EventDrivenService {
 
   @Override
   protected final void takeOver(HandOver state) {
+    ground.takeOver(state);
+    if (!state.isFresh(nowS())) {
+      return; // the goals arrive again
+    }
     goals = state.message("GOALS", GoalList.class);
     takenOver = goals;
     reports.takeOver(state);
@@ -177,7 +181,6 @@ public class PathPlanner extends EventDrivenService {
       goal = Optional.empty();
     }
     end.takeOver(state);
-    ground.takeOver(state);
     goals.ifPresent(ground::heedGoals);
     failsafe = state.text("FAILSAFE").map(FailsafeAction::valueOf).orElse(FailsafeAction.CONTINUE);
   }
@@ -299,6 +302,9 @@ public class PathPlanner extends EventDrivenService {
       publish(next(state, stateless), state);
     } catch (IllegalArgumentException e) {
       complain(e.getMessage() + ": no navigation points", e.getMessage());
+    }
+    if (ground.isNews()) {
+      remember();
     }
   }
 

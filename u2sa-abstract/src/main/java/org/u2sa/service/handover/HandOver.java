@@ -16,6 +16,9 @@ import org.u2sa.messages.schema.U2SAData;
  * writes it in {@code handOver}, the new one reads it in {@code takeOver}. Not thread-safe.
  */
 public final class HandOver {
+  private static final String SAVED = "SAVED";
+  private static final double FRESH_S = 1.0;
+
   private final String className;
   private final Map<String, Object> values = new LinkedHashMap<>();
 
@@ -29,6 +32,20 @@ public final class HandOver {
   /** Class of the predecessor; class-specific values are meaningless to other classes. */
   public String className() {
     return className;
+  }
+
+  /** Notes when it is saved [s of the run's clock]. */
+  public HandOver savedAt(double nowS) {
+    return number(SAVED, nowS);
+  }
+
+  /**
+   * Whether it was saved within the last second, as in a swap. Otherwise it was {@linkplain
+   * org.u2sa.service.U2SAService#remember remembered} before a restart: what changes quickly, such
+   * as an integrator, is out of date.
+   */
+  public boolean isFresh(double nowS) {
+    return nowS - number(SAVED).orElse(nowS) <= FRESH_S;
   }
 
   public Set<String> names() {

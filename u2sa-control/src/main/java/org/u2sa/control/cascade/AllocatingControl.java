@@ -126,6 +126,7 @@ public final class AllocatingControl extends ControlSystem {
   private String said = "";
   private boolean armed = true; // without an arming service, actuators obey
   private boolean waits = true; // until an arming service reports, or none has for WAIT_MICROS
+  private boolean stood = cascade.stands(); // on the ground, in the last step
   private long firstMicros = NOT_YET; // of the first state
   private boolean isArmedBySomebody; // required for tuning
   private boolean isBlind;
@@ -287,6 +288,10 @@ public final class AllocatingControl extends ControlSystem {
       takesOver = false;
     }
     double[] wanted = cascade.step(motion, target, stepS());
+    if (cascade.stands() != stood) {
+      stood = !stood;
+      remember();
+    }
     double mass = tuning.of(tuner.axis()).mass();
     tuner
         .step(isArmedBySomebody && !wentBySight, left, wanted, cascade.measured(), mass, stepS())
@@ -413,14 +418,21 @@ public final class AllocatingControl extends ControlSystem {
 
   @Override
   protected void takeOver(HandOver state) {
+    boolean isMine = isOfMyClass(state);
+    boolean isFresh = state.isFresh(nowS());
+    if (isMine) {
+      cascade.takeOver(state, isFresh);
+    }
+    stood = cascade.stands();
+    waits = stood && !isFresh; // restarted in flight, its rotors must not stop
+    if (!isFresh) {
+      return;
+    }
     super.takeOver(state);
-    waits = false;
-    if (isOfMyClass(state)) {
-      cascade.takeOver(state);
+    takesOver = !isMine;
+    if (isMine) {
       wentBySight = state.text("BY SIGHT").isPresent();
       seen.transfer(Transfer.restoring(state));
-    } else {
-      takesOver = true;
     }
   }
 

@@ -243,6 +243,11 @@ final class Cascade {
     ground.rest();
   }
 
+  /** Whether an aircraft stands on the ground. */
+  boolean stands() {
+    return settings.leans() && ground.stands();
+  }
+
   /** Takes over from a wrench commanded by another law (bumpless transfer). */
   void takeOver(BodyMotion motion, MotionTarget target, double[] present) {
     aim(motion, target);
@@ -278,11 +283,17 @@ final class Cascade {
     headingRad.ifPresent(heading -> state.number("HEADING", heading));
   }
 
-  void takeOver(HandOver state) {
+  /**
+   * @param isFresh whether integrals and heading are those of now
+   */
+  void takeOver(HandOver state, boolean isFresh) {
+    state.text("FLIES").ifPresent(flies -> ground.flies());
+    if (!isFresh) {
+      return;
+    }
     for (DegreeOfFreedom axis : AXES) {
       pids[axis.ordinal()].transfer(Transfer.restoring(state), axis.name());
     }
     headingRad = state.number("HEADING");
-    state.text("FLIES").ifPresent(flies -> ground.flies());
   }
 }

@@ -32,8 +32,6 @@ public final class CessnaControl extends ControlSystem {
   private static final double STATUS_INTERVAL_S = 1.0;
   private static final double FULL_PERCENT = 100.0;
   private static final String FIRST_STATE = "FIRST STATE"; // in the hand-over
-  private static final String SAVED = "SAVED"; // when
-  private static final double FRESH_S = 1.0;
   private static final double AT_REST_MPS = 2.0; // over ground
 
   private record Outputs(
@@ -252,15 +250,15 @@ public final class CessnaControl extends ControlSystem {
     super.handOver(state);
     reader.handOver(state);
     autopilot.transfer(Transfer.saving(state));
-    state.number(FIRST_STATE, firstS).number(SAVED, nowS());
+    state.number(FIRST_STATE, firstS);
   }
 
   @Override
   protected void takeOver(HandOver state) {
     reader.takeOver(state);
     firstS = state.number(FIRST_STATE).orElse(firstS);
-    if (nowS() - state.number(SAVED).orElse(nowS()) > FRESH_S) {
-      return; // remembered before a restart: the aircraft is elsewhere, in another phase
+    if (!state.isFresh(nowS())) {
+      return; // the aircraft is elsewhere, in another phase
     }
     super.takeOver(state);
     if (isOfMyClass(state)) {
