@@ -45,7 +45,12 @@ public final class HandOver {
    * as an integrator, is out of date.
    */
   public boolean isFresh(double nowS) {
-    return nowS - number(SAVED).orElse(nowS) <= FRESH_S;
+    return ageS(nowS) <= FRESH_S;
+  }
+
+  /** Time since it was saved [s]; 0 if unknown. */
+  public double ageS(double nowS) {
+    return nowS - number(SAVED).orElse(nowS);
   }
 
   public Set<String> names() {

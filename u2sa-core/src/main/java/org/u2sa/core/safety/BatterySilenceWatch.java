@@ -22,7 +22,7 @@ final class BatterySilenceWatch implements Watch {
   private static final double FORGOTTEN_AFTER_S = 60.0;
 
   private final Supplier<SafetyVariables> settings;
-  private final Map<String, Long> heardMicros = new TreeMap<>(); // by sensor name; local clock
+  private final Silence silence = new Silence(Hazard.BATTERY_SENSOR.words()); // by sensor name
   private final Map<String, Long> awaitedMicros = new TreeMap<>(); // of unheard named ones
 
   BatterySilenceWatch(Supplier<SafetyVariables> settings) {
@@ -42,37 +42,37 @@ final class BatterySilenceWatch implements Watch {
   }
 
   private void hear(String name, long nowMicros) {
-    if (heardMicros.size() < MAX_BATTERIES || heardMicros.containsKey(name)) {
-      heardMicros.put(name, nowMicros);
+    Map<String, Long> heard = silence.heardMicros();
+    if (heard.size() < MAX_BATTERIES || heard.containsKey(name)) {
+      silence.hear(name, nowMicros);
     }
   }
 
   @Override
   public void handOver(HandOver state, long nowMicros) {
-    Silence.handOver(state, hazard().words(), heardMicros, nowMicros);
+    silence.handOver(state, nowMicros);
   }
 
   @Override
   public void takeOver(HandOver state, long nowMicros, boolean upToDate) {
-    double deadlineS = upToDate ? 0.0 : settings.get().batteryDeadline();
-    Silence.takeOver(state, hazard().words(), nowMicros, deadlineS).forEach(this::hear);
+    silence.takeOver(state, nowMicros, upToDate ? 0.0 : settings.get().batteryDeadline());
   }
 
   @Override
   public String saved() {
-    return heardMicros.keySet().toString();
+    return silence.saved();
   }
 
   @Override
   public Optional<String> trouble(long nowMicros) {
     List<String> unheard = CauseText.names(settings.get().batteries());
-    unheard.removeAll(heardMicros.keySet());
+    unheard.removeAll(silence.heardMicros().keySet());
     awaitedMicros.keySet().retainAll(unheard);
     unheard.forEach(name -> awaitedMicros.putIfAbsent(name, nowMicros));
-    return silence(heardMicros, nowMicros).or(() -> silence(awaitedMicros, nowMicros));
+    return silent(silence.heardMicros(), nowMicros).or(() -> silent(awaitedMicros, nowMicros));
   }
 
-  private Optional<String> silence(Map<String, Long> sinceMicros, long nowMicros) {
+  private Optional<String> silent(Map<String, Long> sinceMicros, long nowMicros) {
     SafetyVariables now = settings.get();
     List<String> chosen = CauseText.names(now.batteries());
     if (!now.watchesBatteries()) {
@@ -95,12 +95,10 @@ final class BatterySilenceWatch implements Watch {
     SafetyVariables now = settings.get();
     double forgottenAfterS = Math.max(FORGOTTEN_AFTER_S, now.batteryDeadline());
     List<String> chosen = CauseText.names(now.batteries());
-    heardMicros
-        .entrySet()
-        .removeIf(
-            each ->
-                !chosen.contains(each.getKey())
-                    && Clock.seconds(nowMicros - each.getValue()) > forgottenAfterS);
-    return silence(heardMicros, nowMicros); // thresholds object to a missing one
+    List.copyOf(silence.heardMicros().entrySet()).stream()
+        .filter(each -> !chosen.contains(each.getKey()))
+        .filter(each -> Clock.seconds(nowMicros - each.getValue()) > forgottenAfterS)
+        .forEach(each -> silence.forget(each.getKey()));
+    return silent(silence.heardMicros(), nowMicros); // thresholds object to a missing one
   }
 }

@@ -1,6 +1,5 @@
 package org.u2sa.core.safety;
 
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Supplier;
@@ -20,8 +19,8 @@ final class HeartbeatWatch implements Watch {
   private final Supplier<Expected> expected;
   private final BiFunction<U2SAData, Expected, Optional<String>> sender;
   private final boolean ofOperators;
-  private String heard = "";
-  private long heardMicros = -1; // by the local clock, since the sender's may differ
+  private final Silence silence;
+  private String heard = ""; // who sent last
 
   private HeartbeatWatch(
       Hazard hazard,
@@ -30,6 +29,7 @@ final class HeartbeatWatch implements Watch {
       boolean ofOperators) {
     this.ofOperators = ofOperators;
     this.hazard = hazard;
+    silence = new Silence(hazard.words());
     this.expected = expected;
     this.sender = sender;
   }
@@ -94,50 +94,44 @@ final class HeartbeatWatch implements Watch {
         .apply(message, expected.get())
         .ifPresent(
             who -> {
+              silence.forget(heard);
+              silence.hear(who, nowMicros);
               heard = who;
-              heardMicros = nowMicros;
             });
   }
 
   /** The deadline for an operator's heartbeat starts when the pilot gives back control. */
   @Override
   public void pilotFlies(long nowMicros) {
-    if (ofOperators && heardMicros >= 0) {
-      heardMicros = nowMicros;
+    if (ofOperators && !heard.isEmpty()) {
+      silence.hear(heard, nowMicros);
     }
   }
 
   @Override
   public void handOver(HandOver state, long nowMicros) {
-    if (heardMicros >= 0) {
-      Silence.handOver(state, hazard.words(), Map.of(heard, heardMicros), nowMicros);
-    }
+    silence.handOver(state, nowMicros);
   }
 
   /** Every source that has reported before must report again within the deadline. */
   @Override
   public void takeOver(HandOver state, long nowMicros, boolean upToDate) {
-    double deadlineS = upToDate ? 0.0 : expected.get().deadlineS();
-    Silence.takeOver(state, hazard.words(), nowMicros, deadlineS)
-        .forEach(
-            (who, when) -> {
-              heard = who;
-              heardMicros = when;
-            });
+    silence.takeOver(state, nowMicros, upToDate ? 0.0 : expected.get().deadlineS());
+    silence.heardMicros().keySet().forEach(who -> heard = who);
   }
 
   @Override
   public String saved() {
-    return heardMicros >= 0 ? "heard" : "";
+    return heard.isEmpty() ? "" : silence.isAssumed(heard) ? "assumed" : "heard";
   }
 
   @Override
   public Optional<String> trouble(long nowMicros) {
     Expected now = expected.get();
-    if (heardMicros < 0) {
+    if (heard.isEmpty()) {
       return now.required() ? Optional.of("no " + now.who() + " heard") : Optional.empty();
     }
-    double silentS = Clock.seconds(nowMicros - heardMicros);
+    double silentS = Clock.seconds(nowMicros - silence.heardMicros().get(heard));
     return silentS > now.deadlineS()
         ? Optional.of(heard + " silent for " + CauseText.seconds(silentS))
         : Optional.empty();

@@ -173,7 +173,7 @@ public final class SafetyManager extends PeriodicService {
             .map(Watch::saved)
             .collect(
                 Collectors.joining(" ", arming.isArmed() + decision.saved(), conditions.saved()));
-    if (begun && !state.equals(saved)) {
+    if (!state.equals(saved)) {
       saved = state;
       remember();
     }

@@ -134,4 +134,18 @@ class SafetyManagerRestartTest extends WatchedVehicle {
     kit.restart(before, SafetyManager::new);
     kit.advance(0.6);
   }
+
+  @Test
+  void restart_repeatedlyBeforeTheDeadline_losesTheOperatorAfterOneMoreDeadline() {
+    SafetyManager manager = startArmedManager();
+    kit.publish(Channels.OPERATOR, new OperatorHeartbeat().operator("Ann"));
+    live(3.0);
+    for (int i = 0; i < 3; i++) { // deadline: 5 s
+      assertThat(failsafe().action()).isEqualTo(FailsafeAction.CONTINUE);
+      manager = kit.restart(manager, SafetyManager::new);
+      live(2.0);
+    }
+
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.RETURN);
+  }
 }
