@@ -1,8 +1,12 @@
 package org.u2sa.core.launch;
 
+import java.util.HashMap;
+import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.ServiceOrder;
 import org.u2sa.messages.contract.ServiceOrderResult;
 import org.u2sa.messages.schema.U2SAData;
@@ -26,7 +30,11 @@ public final class Launcher extends EventDrivenService {
   /** Name of a system's only launcher, and prefix of the names of several. */
   public static final String NAME = "Launcher";
 
+  private static final double BETWEEN_S = 1.0; // two orders of one kind for one service
+  private static final long NEVER = Long.MIN_VALUE / 2;
+
   private final ServiceHost host;
+  private final Map<String, Long> doneMicros = new HashMap<>(); // by kind of order
 
   /**
    * Created by the process that hosts the services.
@@ -43,7 +51,11 @@ public final class Launcher extends EventDrivenService {
 
   private void onOrder(U2SAData message) { // results come back on the same channel
     if (message instanceof ServiceOrder order && host.isFor(order)) {
-      answer(order, outcomeOf(order));
+      Optional<String> refusal = outcomeOf(order);
+      if (refusal.isEmpty()) {
+        doneMicros.put(kindOf(order), clock().micros());
+      }
+      answer(order, refusal);
     }
   }
 
@@ -61,6 +73,10 @@ public final class Launcher extends EventDrivenService {
 
   private Optional<String> carryOut(ServiceOrder order) {
     String service = order.serviceName();
+    Optional<String> refusal = tooSoon(order);
+    if (refusal.isPresent()) {
+      return refusal;
+    }
     log("ordered by \"" + order.operator() + "\": " + order.action() + " " + service);
     return switch (order.action()) {
       case START -> host.start(service);
@@ -72,6 +88,21 @@ public final class Launcher extends EventDrivenService {
               .orElse(Optional.of("className: missing; expected the full name of a service class"));
       default -> Optional.of("action " + order.action() + " is unknown here");
     };
+  }
+
+  private static String kindOf(ServiceOrder order) {
+    return order.action() + " " + order.serviceName() + " " + order.className().orElse("");
+  }
+
+  /** Orders take turns, so many for one service would keep those for others waiting. */
+  private Optional<String> tooSoon(ServiceOrder order) {
+    long done = doneMicros.getOrDefault(kindOf(order), NEVER);
+    double sinceS = Clock.seconds(clock().micros() - done);
+    return sinceS < BETWEEN_S
+        ? Optional.of(
+            String.format(
+                Locale.ROOT, "the same was done %.1f s ago; expected %.0f s", sinceS, BETWEEN_S))
+        : Optional.empty();
   }
 
   private void answer(ServiceOrder order, Optional<String> refusal) {

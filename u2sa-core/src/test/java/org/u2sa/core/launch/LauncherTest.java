@@ -164,6 +164,21 @@ class LauncherTest {
   }
 
   @Test
+  void restart_repeatedWithinASecond_isRefusedSoThatOtherOrdersNeedNotWait() throws Exception {
+    order("Worker", ServiceAction.RESTART);
+    U2SAService restarted = system.services().get(0);
+
+    ServiceOrderResult repeated = order("Worker", ServiceAction.RESTART);
+    assertThat(repeated.accepted()).isFalse();
+    assertThat(repeated.reason()).contains("the same was done 0.0 s ago; expected 1 s");
+    assertThat(system.services().get(0)).isSameAs(restarted);
+    assertThat(order("Bystander", ServiceAction.RESTART).accepted()).isTrue();
+
+    clock.advance(1_000_000);
+    assertThat(order("Worker", ServiceAction.RESTART).accepted()).isTrue();
+  }
+
+  @Test
   void restart_fileChangedMeanwhile_newServiceHasTheNewValue() throws Exception {
     write("Worker.xml", "<variable name=\"GAIN\" type=\"double\" value=\"2.0\"/>");
 
