@@ -18,9 +18,9 @@ import org.u2sa.sim.performance.OpenLoop.Motion;
 import org.u2sa.sim.vehicle.SimulatedVehicle;
 
 /**
- * Tells a vehicle's performance. That of ground vehicles and vessels is measured by simulating them
- * on level ground or in still water with constant commands, full unless they would move it along
- * other axes too.
+ * Describes a vehicle's performance. That of ground vehicles and vessels is measured by simulating
+ * them on level ground or in still water with constant commands, full unless they would move it
+ * along other axes too.
  */
 public final class VehicleCheck {
   private static final List<Double> FULL = List.of(1.0, -1.0);
@@ -126,8 +126,12 @@ public final class VehicleCheck {
       motion = OpenLoop.run(vessel, axis, sign);
       kept = " if kept on course";
     }
+    boolean isMeasured = motion.isSteady() || motion.end() == OpenLoop.End.CHANGING;
     return Optional.of(
-        text("%s: %.3g %s/s%s", axis.name(sign), scale * motion.last(), unit, kept)
+        axis.name(sign)
+            + (isMeasured
+                ? text(": %.3g %s/s%s", scale * motion.last(), unit, kept)
+                : ": no steady motion")
             + text(", up to %.3g %s/s^2", scale * motion.peak(), unit)
             + (alone.isEmpty() ? "" : ", " + alone));
   }

@@ -2,6 +2,7 @@ package org.u2sa.sim.performance;
 
 import java.util.Arrays;
 import org.u2sa.messages.frame.Attitude;
+import org.u2sa.sim.ground.GroundVehicle;
 import org.u2sa.sim.vehicle.SimulatedVehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
@@ -90,6 +91,9 @@ public final class OpenLoop {
       double[] most = now.clone();
       for (; done < Math.round(until / TICK_S) && end == End.CHANGING; done++) {
         double[] before = now;
+        if (vehicle instanceof GroundVehicle ground) {
+          ground.charge(1.0); // full; it would grow slower all the time
+        }
         try {
           vehicle.step(TICK_S);
           last = vehicle.truth();

@@ -36,6 +36,16 @@ class VehicleCheckTest {
   }
 
   @Test
+  void lines_batteryOfAMinute_tellTheSpeedWithAFullOne() {
+    String small =
+        Vehicles.sixWheels()
+            .replaceFirst("<capacity unit=\"Ah\">[0-9]+<", "<capacity unit=\"Ah\">0.05<");
+
+    assertThat(number(VehicleCheck.lines(Vehicles.parse(small)), "ahead: ", 1))
+        .isCloseTo(2.08, within(0.01));
+  }
+
+  @Test
   void lines_twoThrustersAsternAndOneInTheBow_useTheBowsAsideOnly() {
     List<String> lines = VehicleCheck.lines(Vehicles.parse(Vehicles.threeThrusters()));
 
