@@ -32,8 +32,8 @@ final class VehicleCommand implements Callable<Integer> {
       description = {
         "Check a vehicle file and print the vehicle's performance.",
         "",
-        "All figures except mass are measured by simulating the vehicle on level ground, in "
-            + "still water or in calm air."
+        "The performance of ground vehicles and vessels is measured by simulating them on level "
+            + "ground or in still water, that of aircraft is computed for calm air at sea level."
       })
   static final class Check implements Callable<Integer> {
     @Parameters(paramLabel = "FILE", description = "Vehicle file (XML).")

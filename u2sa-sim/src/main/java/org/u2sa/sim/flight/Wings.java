@@ -136,7 +136,7 @@ final class Wings implements AirLoads {
    * when parked in wind from behind or abeam, less, since moments and side force follow the sine
    * there.
    */
-  private static double linear(double angleRad) {
+  static double linear(double angleRad) {
     return StrictMath.abs(angleRad) <= LINEAR_RAD
         ? angleRad
         : LINEAR_RAD

@@ -111,6 +111,11 @@ final class FossenModel implements RungeKutta.Motion {
     targets[actuator] = actuators.get(actuator).level(value);
   }
 
+  /** Gives each actuator the level that it is commanded to. */
+  void settle(double[] s) {
+    System.arraycopy(targets, 0, s, LEVELS, targets.length);
+  }
+
   /** Thrust of an actuator [N]; empty if it is not a thruster. */
   OptionalDouble thrustN(int actuator, double[] s) {
     return actuators.get(actuator) instanceof VesselThruster

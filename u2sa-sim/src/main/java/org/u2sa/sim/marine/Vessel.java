@@ -1,5 +1,6 @@
 package org.u2sa.sim.marine;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -7,6 +8,7 @@ import java.util.stream.Collectors;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.atmosphere.WindField;
 import org.u2sa.sim.motion.Arguments;
+import org.u2sa.sim.motion.BodyAttitude;
 import org.u2sa.sim.motion.RungeKutta;
 import org.u2sa.sim.vehicle.BodyState;
 import org.u2sa.sim.vehicle.FixedStep;
@@ -37,6 +39,8 @@ public final class Vessel implements SimulatedVehicle {
   private final Water water;
   private final boolean powerIsKnown;
   private double energyJ;
+  private int towedAlong = -1;
+  private double towedHeadingRad;
   private final FixedStep steps = new FixedStep(TICKS_PER_SECOND);
   private Optional<Windage> windage = Optional.empty();
   private final WindField air;
@@ -106,6 +110,21 @@ public final class Vessel implements SimulatedVehicle {
               fenders.on(new Fenders.Motion(place, heading, Point.of(east, north, 0.0), turn)));
     }
     model.push(force);
+  }
+
+  /** Lets the actuators reach their commands at once, without their lags. */
+  public void settle() {
+    model.settle(state);
+  }
+
+  /**
+   * Lets it move along one axis only, level and on its present heading, as if on a towing carriage.
+   *
+   * @param axis 0: forward, 1: right, 2: down
+   */
+  public void tow(int axis) {
+    towedAlong = axis;
+    towedHeadingRad = BodyState.attitude(state).psi();
   }
 
   /** Starts at rest over ground instead of drifting with the current; call before any step. */
@@ -187,6 +206,12 @@ public final class Vessel implements SimulatedVehicle {
     push();
     integrator.step(model, state, 1.0 / TICKS_PER_SECOND);
     BodyState.normalize(state);
+    if (towedAlong >= 0) {
+      double along = state[BodyState.VELOCITY + towedAlong];
+      Arrays.fill(state, BodyState.VELOCITY, BodyState.SIZE, 0.0);
+      state[BodyState.VELOCITY + towedAlong] = along;
+      BodyAttitude.write(state, BodyState.QUATERNION, 0.0, 0.0, towedHeadingRad);
+    }
     if (powerIsKnown) {
       energyJ += model.powerW(state).orElseThrow() / TICKS_PER_SECOND;
     }

@@ -16,6 +16,8 @@ final class Vehicles {
   static final Path WAMV = Path.of("../config/vehicles/wamv.xml");
   static final Path REMUS_100 = Path.of("../config/vehicles/remus100.xml");
 
+  static final Path AEROSONDE = Path.of("../config/suas/plane/vehicle.xml");
+
   static final Path TRUCK = Path.of("../config/ugv/vehicle-ackermann.xml");
 
   private Vehicles() {}
