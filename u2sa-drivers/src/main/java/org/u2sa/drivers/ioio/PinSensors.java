@@ -18,9 +18,11 @@ import org.u2sa.service.Sensor;
 /** GPS and compass on the board's UARTs and their messages. Confined to the service's thread. */
 final class PinSensors {
   private static final double SILENT_AFTER_S = 3.0;
+  private static final String GPS = "the GPS receiver";
+  private static final String COMPASS = "the compass";
 
-  private final UartLink gpsLink = new UartLink();
-  private final UartLink compassLink = new UartLink();
+  private final UartLink gpsLink = new UartLink(GPS);
+  private final UartLink compassLink = new UartLink(COMPASS);
   private final TrueNorth north;
   private final FixMapping fixes;
   private final HeadingMapping headings;
@@ -45,11 +47,11 @@ final class PinSensors {
     gps =
         plan.gps()
             .map(pins -> variables.gps(gpsLink, pins))
-            .map(each -> new DeviceReader<>(service, "the GPS receiver", each, SILENT_AFTER_S));
+            .map(each -> new DeviceReader<>(service, GPS, each, SILENT_AFTER_S));
     compass =
         plan.compass()
             .map(pins -> variables.compass(compassLink, pins))
-            .map(each -> new DeviceReader<>(service, "the compass", each, SILENT_AFTER_S));
+            .map(each -> new DeviceReader<>(service, COMPASS, each, SILENT_AFTER_S));
   }
 
   /** Sets the board's pins; empty while disconnected. */

@@ -23,6 +23,7 @@ final class UartLine {
   private final double bytesPerS;
   private Thread sender; // the library's ended thread, in lockstep; null before first use
   private byte[] waiting = new byte[0];
+  private boolean isFull; // the library took less than it was given
   private double credit;
   private long atMicros = Long.MIN_VALUE;
 
@@ -43,6 +44,11 @@ final class UartLine {
     return waiting.length;
   }
 
+  /** Whether the board takes nothing, so that the library's queue is full. */
+  boolean isFull() {
+    return isFull;
+  }
+
   /** Queues bytes for the device; {@link #send} sends them. */
   void write(byte[] bytes) {
     ByteArrayOutputStream all = new ByteArrayOutputStream();
@@ -52,7 +58,7 @@ final class UartLine {
   }
 
   /**
-   * Sends as many pending bytes as the line rate permits.
+   * Sends as many pending bytes as the line rate and, in real time, the library's queue permit.
    *
    * @param lockstep counter of the library's output; all is sent on return. Empty in real time
    */
@@ -64,13 +70,40 @@ final class UartLine {
     if (count == 0) {
       return;
     }
-    credit -= count;
-    if (lockstep.isPresent()) {
-      sendInLockstep(count, lockstep.get());
-    } else {
-      out.write(waiting, 0, count);
+    int sent = lockstep.isPresent() ? sendInLockstep(count, lockstep.get()) : offer(count);
+    isFull = sent < count;
+    credit -= sent;
+    waiting = Arrays.copyOfRange(waiting, sent, waiting.length);
+  }
+
+  /**
+   * Gives pending bytes to the library and returns how many it took. While its queue of 1024 bytes
+   * is full, because the board gives no room, the library waits, but not on an interrupted thread.
+   */
+  private int offer(int count) throws IOException {
+    boolean wasInterrupted = Thread.interrupted();
+    Thread.currentThread().interrupt();
+    int taken = 0;
+    try {
+      while (taken < count) {
+        out.write(waiting[taken]);
+        taken++;
+      }
+    } catch (IOException e) {
+      if (Thread.currentThread().isInterrupted()) {
+        throw e; // the line is closed: a wait would have cleared the flag
+      }
+    } finally {
+      restore(wasInterrupted);
     }
-    waiting = Arrays.copyOfRange(waiting, count, waiting.length);
+    return taken;
+  }
+
+  private static void restore(boolean wasInterrupted) {
+    Thread.interrupted();
+    if (wasInterrupted) {
+      Thread.currentThread().interrupt();
+    }
   }
 
   /**
@@ -84,8 +117,9 @@ final class UartLine {
    * the board returns immediately.
    *
    * @param sent counter of the library's output
+   * @return {@code count}
    */
-  private void sendInLockstep(int count, FlushCounter sent) throws IOException {
+  private int sendInLockstep(int count, FlushCounter sent) throws IOException {
     sent.expect(count);
     out.write(waiting, 0, count);
     boolean wasInterrupted = Thread.interrupted();
@@ -100,11 +134,9 @@ final class UartLine {
     } catch (InterruptedException e) {
       wasInterrupted = true;
     } finally {
-      Thread.interrupted();
-      if (wasInterrupted) {
-        Thread.currentThread().interrupt();
-      }
+      restore(wasInterrupted);
     }
+    return count;
   }
 
   private static Thread end(Thread library) throws InterruptedException {

@@ -12,10 +12,18 @@ final class UartLink implements ByteLink {
   private static final int MAX_WAITING = 512;
   private static final String NOT_THERE = "the IOIO is not connected";
 
+  private final String device;
   private Optional<UartLine> line = Optional.empty(); // current connection
   private int connections;
   private boolean isUnseen; // the owner has not been notified of the current connection yet
   private String trouble = NOT_THERE;
+
+  /**
+   * @param device named in faults
+   */
+  UartLink(String device) {
+    this.device = device;
+  }
 
   /** Sets the line of the current board connection; empty while disconnected. */
   void attach(Optional<UartLine> newLine) {
@@ -75,7 +83,8 @@ final class UartLink implements ByteLink {
 
   @Override
   public String trouble() {
-    return trouble;
+    boolean isFull = trouble.isEmpty() && line.isPresent() && line.get().isFull();
+    return isFull ? "the IOIO takes no bytes for " + device : trouble;
   }
 
   @Override
