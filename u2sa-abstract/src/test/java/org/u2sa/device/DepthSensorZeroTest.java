@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.u2sa.device.port.Pressure;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.service.ServiceContext;
 import org.u2sa.testkit.ServiceKit;
 
 /** A gauge that reads 5 kPa too much, half a metre of water. */
@@ -30,16 +31,17 @@ class DepthSensorZeroTest {
     return depths().get(depths().size() - 1).z().orElseThrow();
   }
 
-  private void start() {
+  private DepthSensor start() {
     kit.with("ZERO TIME", 1.0).with("FLOATING DEPTH", 0.12);
-    kit.start(
-        context ->
-            new DepthSensor(
-                context,
-                now ->
-                    Optional.of(
-                        new Pressure(
-                            now, AIR_PA + OFF_PA + depthM * PA_PER_M, OptionalDouble.empty()))));
+    return kit.start(this::sensor);
+  }
+
+  private DepthSensor sensor(ServiceContext context) {
+    return new DepthSensor(
+        context,
+        now ->
+            Optional.of(
+                new Pressure(now, AIR_PA + OFF_PA + depthM * PA_PER_M, OptionalDouble.empty())));
   }
 
   @Test
@@ -53,6 +55,18 @@ class DepthSensorZeroTest {
     kit.advance(0.1);
 
     assertThat(newestZ()).isCloseTo(-4.0, within(1e-6));
+  }
+
+  @Test
+  void step_restartedUnderWater_keepsTheErrorLearntAfloat() {
+    depthM = 0.12;
+    DepthSensor sensor = start();
+    kit.advance(2.0);
+    depthM = 0.6; // less than MAX ERROR
+    kit.restart(sensor, this::sensor);
+    kit.advance(0.1);
+
+    assertThat(newestZ()).isCloseTo(-0.6, within(1e-6));
   }
 
   @Test

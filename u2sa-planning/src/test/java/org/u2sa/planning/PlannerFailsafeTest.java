@@ -52,6 +52,10 @@ class PlannerFailsafeTest {
   }
 
   private void state(double north, double speedMps) {
+    state(north, speedMps, 80.0);
+  }
+
+  private void state(double north, double speedMps, double upM) {
     kit.advance(0.1);
     kit.publish(
         Channels.STATE,
@@ -59,7 +63,7 @@ class PlannerFailsafeTest {
             .referenceFrame(ReferenceFrame.LOCAL_NED)
             .x(north)
             .y(0.0)
-            .z(-80.0)
+            .z(-upM)
             .psi(0.0)
             .xDot(speedMps)
             .yDot(0.0));
@@ -106,6 +110,19 @@ class PlannerFailsafeTest {
 
   private void stands() {
     state(0.0, 0.0);
+  }
+
+  @Test
+  void failsafe_aeroplaneWhosePlannerRestartedInTheClimb_stillHoldsAtMinHoldHeight() {
+    kit.with("LOITER RADIUS", 50.0).with("TURN ACCELERATION", 3.0).with("LOOK AHEAD", 10.0);
+    begin(0.0);
+    state(20.0, 20.0, 80.5); // 0.5 m up
+    kit.advance(2.0);
+    planner = kit.restart(planner, PathPlanner::new);
+    failsafe(FailsafeAction.HOLD);
+    state(100.0, 20.0, 95.0);
+
+    assertThat(point().z()).isCloseTo(-25.0, within(1e-9)); // to 80 m + MIN HOLD HEIGHT
   }
 
   @Test

@@ -52,9 +52,14 @@ class AllocatingControlTest {
     assertThat(kit.percent("RUDDER")).isBetween(-11.0, -9.0); // 100 kg m² times 2 1/s times 0.05
   }
 
-  private void startMultirotor() {
+  private AllocatingControl startMultirotor() {
     kit.with("LEANS", true).with("HEAVE WEIGHT", 1.0).with("HEAVE MASS", 1.0);
-    kit.start(AllocatingControl::new);
+    AllocatingControl control = kit.start(AllocatingControl::new);
+    announceRotor();
+    return control;
+  }
+
+  private void announceRotor() {
     kit.publish(
         Channels.ACTUATORS,
         new ActuatorAnnouncement()
@@ -89,6 +94,31 @@ class AllocatingControlTest {
 
     kit.advance(0.2); // nobody arms vehicles here
     kit.publish(Channels.STATE, falling().phi(0.0).theta(0.0));
+    assertThat(kit.percent("ROTOR")).isPositive();
+  }
+
+  @Test
+  void takeOver_multirotorRestartedInFlightAndOnTheGround_hoversAtOnceOrStands() {
+    AllocatingControl control = startMultirotor();
+    StateInformation hovers = falling().zDot(0.0).phi(0.0).theta(0.0);
+    kit.publish(Channels.STATE, hovers.copy());
+    kit.advance(1.1);
+    kit.publish(Channels.STATE, hovers.copy());
+    control = kit.restart(control, AllocatingControl::new);
+    announceRotor();
+    kit.advance(1.1);
+    kit.publish(Channels.STATE, hovers.copy());
+    kit.advance(1.1);
+    kit.publish(Channels.STATE, hovers.copy());
+    assertThat(kit.percent("ROTOR")).as("on the ground").isZero();
+
+    kit.advance(0.1);
+    kit.publish(Channels.STATE, falling().phi(0.0).theta(0.0));
+    assertThat(kit.percent("ROTOR")).isPositive();
+    kit.advance(30.0);
+    kit.restart(control, AllocatingControl::new);
+    announceRotor();
+    kit.publish(Channels.STATE, hovers.copy());
     assertThat(kit.percent("ROTOR")).isPositive();
   }
 
