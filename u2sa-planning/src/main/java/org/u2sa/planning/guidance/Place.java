@@ -65,11 +65,14 @@ public record Place(boolean onEarth, OptionalDouble x, OptionalDouble y, Optiona
               .in(ReferenceFrame.GLOBAL);
       return new Place(true, global.x(), global.y(), z);
     }
+    if (frame.isUtm() && x.isEmpty() && y.isEmpty()) {
+      return new Place(true, x, y, z);
+    }
     throw new IllegalArgumentException(
         "a position in "
             + frame
-            + (frame.isUtm() ? " without x or y" : "")
-            + " cannot be navigated to; expected GLOBAL, LOCAL_ENU, LOCAL_NED, or UTM with x and y");
+            + (frame.isUtm() ? " with x or y alone" : "")
+            + " cannot be navigated to; expected GLOBAL, LOCAL_ENU, LOCAL_NED, or UTM with both");
   }
 
   /** Saves the position under a name for the service that takes over. */
