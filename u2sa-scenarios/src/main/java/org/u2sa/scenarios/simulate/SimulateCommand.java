@@ -228,13 +228,13 @@ final class SimulateCommand implements Callable<Integer>, Demo {
             ? VehicleTrial.behindBoard(
                 vehicle, world, Point.ORIGIN, at.headingRad(), Hazards.none(), seed)
             : VehicleTrial.of(vehicle, world, Point.ORIGIN, at.headingRad(), seed);
-    Set<String> elsewhere = new LinkedHashSet<>();
-    mission.goals().forEach(goal -> elsewhere.add(goal.uid()));
-    plan(mission).waypoints().forEach(waypoint -> elsewhere.remove(waypoint.name()));
+    Set<String> goals = new LinkedHashSet<>();
+    mission.goals().forEach(goal -> goals.add(goal.uid()));
+    int elsewhere = goals.size() - plan(mission).waypoints().size();
     return placed.trial(
         mission,
         vehicle.name(),
-        clock -> new EstimateScorer(placed.run(), world.plane().origin(), clock, elsewhere),
+        clock -> new EstimateScorer(placed.run(), world.plane().origin(), clock, goals, elsewhere),
         launch -> {});
   }
 
