@@ -106,7 +106,7 @@ final class BoardCommand implements Callable<Integer> {
       paramLabel = "LONGITUDE,LATITUDE[,HEADING]",
       split = ",",
       description =
-          "Where the vehicle starts [deg]. Default: the mission's home, else 0, 0 heading north.")
+          "Where the vehicle starts [deg], at the altitude of the mission's home. Default: the home, else 0, 0 heading north.")
   private double[] start; // null if not given
 
   @Option(
@@ -186,6 +186,8 @@ final class BoardCommand implements Callable<Integer> {
   private record Place(Geodetic at, double headingRad) {}
 
   private Place place() {
+    Optional<Home> home = missionFile == null ? Optional.empty() : Mission.load(missionFile).home();
+    Geodetic at = home.flatMap(Home::geodetic).orElse(new Geodetic(0.0, 0.0, 0.0));
     if (start != null) {
       if (start.length < 2
           || start.length > 3
@@ -195,12 +197,10 @@ final class BoardCommand implements Callable<Integer> {
             "--start: expected LONGITUDE,LATITUDE[,HEADING] in degrees, at most 85 degrees north or south");
       }
       return new Place(
-          new Geodetic(start[0], start[1], 0.0), Math.toRadians(start.length > 2 ? start[2] : 0.0));
+          new Geodetic(start[0], start[1], at.altitudeM()),
+          Math.toRadians(start.length > 2 ? start[2] : 0.0));
     }
-    Optional<Home> home = missionFile == null ? Optional.empty() : Mission.load(missionFile).home();
-    return new Place(
-        home.flatMap(Home::geodetic).orElse(new Geodetic(0.0, 0.0, 0.0)),
-        home.map(at -> at.headingRad().orElse(0.0)).orElse(0.0));
+    return new Place(at, home.map(there -> there.headingRad().orElse(0.0)).orElse(0.0));
   }
 
   private World world(VehicleFile vehicle, Place place) {

@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.Collectors;
 import org.u2sa.cli.record.RecordOptions;
 import org.u2sa.cli.record.RunFacts;
 import org.u2sa.cli.record.RunRecording;
@@ -13,6 +14,7 @@ import org.u2sa.cli.terminal.Terminal;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.interfaces.time.SystemClock;
+import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.mission.Mission;
 import org.u2sa.report.score.RunPlan;
 import org.u2sa.report.summary.RunReport;
@@ -95,7 +97,9 @@ public final class DemoFrame {
                       name,
                       system,
                       plan,
-                      trial.mission().goals().size(),
+                      trial.mission().goals().stream()
+                          .map(GoalInformation::uid)
+                          .collect(Collectors.toUnmodifiableSet()),
                       demo.limitS(plan),
                       trial.observer(),
                       directory,

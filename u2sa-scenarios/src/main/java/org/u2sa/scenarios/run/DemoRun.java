@@ -38,7 +38,7 @@ import org.u2sa.service.U2SAService;
  * @param demo name in reports
  * @param system the system file's services
  * @param plan the planned route
- * @param goals goals of the mission
+ * @param goals names of the mission's goals
  * @param limitS time limit [s]
  * @param maker creates the ground-truth observer
  * @param directory output directory of logs and report
@@ -50,7 +50,7 @@ record DemoRun(
     String demo,
     SystemFile system,
     RunPlan plan,
-    int goals,
+    Set<String> goals,
     double limitS,
     RunObserver.Maker maker,
     Path directory,
@@ -156,8 +156,9 @@ record DemoRun(
               seed,
               simulated.name(),
               wallS,
-              OptionalInt.of(goals),
-              OptionalInt.of(observer.record().completed())),
+              OptionalInt.of(goals.size()),
+              OptionalInt.of(
+                  (int) goals.stream().filter(observer.record().completed()::contains).count())),
           fenced(plan, running),
           observer.record().track(),
           outcome(observer));

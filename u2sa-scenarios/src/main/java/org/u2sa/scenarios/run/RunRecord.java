@@ -10,7 +10,6 @@ import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.schema.U2SAData;
-import org.u2sa.mission.Home;
 import org.u2sa.report.score.RunPlan;
 import org.u2sa.report.score.Track;
 import org.u2sa.report.score.TrackSample;
@@ -42,7 +41,6 @@ public final class RunRecord {
   private boolean seen = true; // whether there is a sample with the current target
   private long startMicros = NOT_YET;
   private volatile boolean missionOver;
-  private volatile int completed;
   private volatile long readings; // single writer
 
   /**
@@ -69,10 +67,8 @@ public final class RunRecord {
   /** A report names the goal that the planner pursued among several current ones. */
   private void reported(GoalInformation report) {
     boolean isCurrent = current.contains(report.uid());
-    boolean isOfTheMission = !report.uid().equals(Home.NAME) || names.contains(Home.NAME);
-    if (report.completed() && isOfTheMission) {
+    if (report.completed()) {
       done.add(report.uid());
-      completed = done.size();
       chosen |= isCurrent;
     }
     int at = names.indexOf(report.uid());
@@ -198,8 +194,8 @@ public final class RunRecord {
     return readings;
   }
 
-  /** Number of the mission's goals that were reported completed. Thread-safe. */
-  public int completed() {
-    return completed;
+  /** Goals reported completed, also those of failsafes; call like {@link #track}. */
+  Set<String> completed() {
+    return done;
   }
 }

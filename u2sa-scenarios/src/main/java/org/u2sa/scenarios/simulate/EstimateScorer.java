@@ -23,8 +23,8 @@ import org.u2sa.sim.vehicle.SimulatedVehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
- * Scores a run of any vehicle: goals without a position by their completion, contacts, zones, and
- * the published state against the truth.
+ * Scores a run of any vehicle: goals by their completion, contacts, zones, and the published state
+ * against the truth.
  */
 final class EstimateScorer implements TruthObserver.Scorer {
   private static final double SIGMAS = 3.0;
@@ -33,7 +33,8 @@ final class EstimateScorer implements TruthObserver.Scorer {
   private final RunningVehicle run;
   private final Geodetic origin;
   private final Clock clock;
-  private final Set<String> unplaced;
+  private final Set<String> goals;
+  private final int unplaced;
   private final Set<String> completed = new HashSet<>(); // or omitted by choice
   private final ZoneWatch zones;
   private final Errors position = new Errors();
@@ -68,12 +69,15 @@ final class EstimateScorer implements TruthObserver.Scorer {
    * @param run the vehicle
    * @param origin origin of local frames
    * @param clock the run's
-   * @param unplaced names of the goals that are not waypoints of the plan
+   * @param goals names of the mission's goals
+   * @param unplaced number of those that are not waypoints of the plan
    */
-  EstimateScorer(RunningVehicle run, Geodetic origin, Clock clock, Set<String> unplaced) {
+  EstimateScorer(
+      RunningVehicle run, Geodetic origin, Clock clock, Set<String> goals, int unplaced) {
     this.run = run;
     this.origin = origin;
     this.clock = clock;
+    this.goals = goals;
     this.unplaced = unplaced;
     zones = new ZoneWatch(run.vehicle().world().zones());
   }
@@ -159,14 +163,14 @@ final class EstimateScorer implements TruthObserver.Scorer {
   @Override
   public RunOutcome outcome() {
     List<String> violations = new ArrayList<>();
-    for (String goal : unplaced) {
+    for (String goal : goals) {
       if (!completed.contains(goal)) {
         violations.add("goal \"" + goal + "\" was not completed");
       }
     }
     violations.addAll(zones.violations());
     Map<String, Integer> counts = new LinkedHashMap<>();
-    counts.put(RunOutcome.GOALS_WITHOUT_PLACE, unplaced.size());
+    counts.put(RunOutcome.GOALS_WITHOUT_PLACE, unplaced);
     counts.putAll(zones.counts());
     return new RunOutcome(run.contacts().size(), false, violations, counts, figures());
   }

@@ -12,6 +12,7 @@ import org.u2sa.core.launch.SystemFile;
 import org.u2sa.drivers.ioio.IoioService;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.mission.Home;
@@ -78,7 +79,7 @@ final class SimulateCommand implements Callable<Integer>, Demo {
       paramLabel = "LONGITUDE,LATITUDE[,HEADING]",
       split = ",",
       description =
-          "Where the vehicle starts, and the origin of local frames [deg]. Default: the mission's home.")
+          "Where the vehicle starts, at the altitude of the mission's home, and the origin of local frames [deg]. Default: the home.")
   private double[] start; // null for the mission's home
 
   @Option(
@@ -175,12 +176,16 @@ final class SimulateCommand implements Callable<Integer>, Demo {
 
   @Override
   public RunPlan.Start start(Mission mission) {
+    Optional<Home> home = mission.home();
+    Optional<Geodetic> onEarth = home.flatMap(Home::geodetic);
     if (start != null) {
       return new RunPlan.Start(
-          start[0], start[1], 0.0, Math.toRadians(start.length > 2 ? start[2] : 0.0));
+          start[0],
+          start[1],
+          onEarth.map(Geodetic::altitudeM).orElse(0.0),
+          Math.toRadians(start.length > 2 ? start[2] : 0.0));
     }
-    Optional<Home> home = mission.home();
-    if (home.isPresent() && home.get().geodetic().isPresent()) {
+    if (onEarth.isPresent()) {
       return RunPlans.start(mission);
     }
     boolean isLocal =
@@ -223,13 +228,13 @@ final class SimulateCommand implements Callable<Integer>, Demo {
             ? VehicleTrial.behindBoard(
                 vehicle, world, Point.ORIGIN, at.headingRad(), Hazards.none(), seed)
             : VehicleTrial.of(vehicle, world, Point.ORIGIN, at.headingRad(), seed);
-    Set<String> elsewhere = new LinkedHashSet<>();
-    mission.goals().forEach(goal -> elsewhere.add(goal.uid()));
-    plan(mission).waypoints().forEach(waypoint -> elsewhere.remove(waypoint.name()));
+    Set<String> goals = new LinkedHashSet<>();
+    mission.goals().forEach(goal -> goals.add(goal.uid()));
+    int elsewhere = goals.size() - plan(mission).waypoints().size();
     return placed.trial(
         mission,
         vehicle.name(),
-        clock -> new EstimateScorer(placed.run(), world.plane().origin(), clock, elsewhere),
+        clock -> new EstimateScorer(placed.run(), world.plane().origin(), clock, goals, elsewhere),
         launch -> {});
   }
 

@@ -105,6 +105,18 @@ class SimulateTest {
   }
 
   @Test
+  void simulate_startOfItsOwn_isAtTheAltitudeOfTheHome() throws IOException, URISyntaxException {
+    project("copter");
+    replace("mission.xml", "<z>0</z>", "<z>43</z>");
+
+    simulate("out", "--start", "10.001,54.001", "--limit", "1");
+
+    List<String> track = Files.readAllLines(folder.resolve("out/track.csv"));
+    int altitude = List.of(track.get(0).split(",")).indexOf("altitude_m");
+    assertThat(Double.parseDouble(track.get(1).split(",")[altitude])).isBetween(43.0, 44.0);
+  }
+
+  @Test
   void simulate_otherSeed_drivesAnotherTrack() throws IOException, URISyntaxException {
     project("rover");
     simulate("one", "--seed", "3", "--summary-only");

@@ -3,6 +3,7 @@ package org.u2sa.sim.file;
 import java.io.InputStream;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import org.u2sa.interfaces.BadInputException;
@@ -12,11 +13,14 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.file.element.FileElement;
 import org.u2sa.sim.file.element.VehicleChanges;
+import org.u2sa.sim.ground.GroundVehicle;
 import org.u2sa.sim.ground.Hazards;
 import org.u2sa.sim.ground.MiniMolle;
+import org.u2sa.sim.vehicle.ContactWatch;
 import org.u2sa.sim.vehicle.RunningVehicle;
 import org.u2sa.sim.vehicle.SimulatedVehicle;
 import org.u2sa.sim.vehicle.VehicleRun;
+import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Water;
 import org.u2sa.sim.world.World;
 
@@ -178,8 +182,8 @@ public final class VehicleFile {
             () ->
                 new BadInputException(
                     origin + ": has no IOIO board, which IoioService needs; expected <ioio>"));
-    return entry.make(
-        world, ((GroundModel) model).make(world, start, headingRad, seed), hazards, seed);
+    GroundVehicle placed = ((GroundModel) model).make(world, start, headingRad, seed);
+    return entry.make(world, free(placed), hazards, seed);
   }
 
   /** Creates a vehicle at rest, to be shared by the services and observers of a run. */
@@ -188,8 +192,38 @@ public final class VehicleFile {
     return model.isSteppedByOwner() ? run.readers() : run;
   }
 
-  /** Creates a vehicle at rest; see {@link VehicleModel#make}. */
+  /**
+   * Creates a vehicle at rest.
+   *
+   * @param start east, north, up [m]; up is above the ground, except for vessels
+   * @param headingRad clockwise from north [rad]
+   * @param seed seed of the deviations from nominal parameters
+   * @throws BadInputException if the vehicle touches an object there, or a vessel the bed
+   */
   public SimulatedVehicle make(World world, Point start, double headingRad, long seed) {
-    return model.make(world, start, headingRad, seed);
+    double groundM =
+        model.medium() == VehicleModel.Medium.WATER
+            ? 0.0
+            : world.terrain().heightM(start.x(), start.y());
+    Point place = start.plus(Point.of(0.0, 0.0, groundM));
+    return free(model.make(world, place, headingRad, seed));
+  }
+
+  private <T extends SimulatedVehicle> T free(T vehicle) {
+    VehicleTruth truth = vehicle.truth();
+    List<String> touched = ContactWatch.touched(vehicle, truth);
+    if (!touched.isEmpty()) {
+      Point at = truth.position();
+      throw new BadInputException(
+          String.format(
+              Locale.ROOT,
+              "%s: where the vehicle starts, %.2f m east, %.2f m north and %.2f m up in the world, it touches %s; expected a free place",
+              origin,
+              at.x(),
+              at.y(),
+              at.z(),
+              String.join(", ", touched)));
+    }
+    return vehicle;
   }
 }

@@ -32,14 +32,24 @@ public final class ContactWatch {
     this.listener = listener;
   }
 
-  /** Checks the vehicle's current state; call after every step. */
-  public void look(SimulatedVehicle vehicle, VehicleTruth truth) {
+  /** Uids of what a vehicle touches now; "ground" for ground on which it is not meant to stand. */
+  public static List<String> touched(SimulatedVehicle vehicle, VehicleTruth truth) {
+    return objects(vehicle, truth).stream().map(ObjectDescription::uid).toList();
+  }
+
+  private static List<ObjectDescription> objects(SimulatedVehicle vehicle, VehicleTruth truth) {
     World world = vehicle.world().when(truth.timeS());
     List<ObjectDescription> touched =
         world.contacts(vehicle.footprint(), truth.position(), truth.headingRad());
     if (vehicle.isAground()) {
       touched.add(GROUND);
     }
+    return touched;
+  }
+
+  /** Checks the vehicle's current state; call after every step. */
+  public void look(SimulatedVehicle vehicle, VehicleTruth truth) {
+    List<ObjectDescription> touched = objects(vehicle, truth);
     if (touched.isEmpty() && touching.isEmpty()) {
       return;
     }
