@@ -13,7 +13,9 @@ import org.u2sa.drivers.ioio.IoioService;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.sim.world.LocalPlane;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.mission.Home;
 import org.u2sa.mission.Mission;
@@ -29,6 +31,7 @@ import org.u2sa.scenarios.run.VehicleFileChanges;
 import org.u2sa.scenarios.run.VehicleTrial;
 import org.u2sa.sim.file.VehicleFile;
 import org.u2sa.sim.ground.Hazards;
+import org.u2sa.sim.world.LocalPlane;
 import org.u2sa.sim.world.World;
 import org.u2sa.world.xml.WorldFile;
 import picocli.CommandLine.Command;
@@ -203,7 +206,12 @@ final class SimulateCommand implements Callable<Integer>, Demo {
   public RunPlan plan(Mission mission) {
     RunPlan.Start at = start(mission);
     placed = at;
-    RunPlan plan = RunPlans.placed(profile().domain(), mission, at, world(at, 0L).plane());
+    LocalPlane plane = world(at, 0L).plane();
+    Geodetic from = plane.origin().fromEnu(place(mission));
+    RunPlan.Start there =
+        new RunPlan.Start(
+            from.longitudeDeg(), from.latitudeDeg(), at.altitudeM(), at.headingRad());
+    RunPlan plan = RunPlans.placed(profile().domain(), mission, there, plane);
     unplaced = mission.goals().size() - plan.waypoints().size();
     longestS = limitS(plan);
     return plan;
@@ -212,6 +220,19 @@ final class SimulateCommand implements Callable<Integer>, Demo {
   @Override
   public double limitS(RunPlan plan) {
     return limitS != null ? limitS : Demo.super.limitS(plan) + unplaced * OTHER_GOAL_S;
+  }
+
+  /** East and north of a home in local axes, from their origin [m]; else the vehicle starts there. */
+  private Point place(Mission mission) {
+    Optional<Home> local =
+        mission.home().filter(home -> start == null && home.referenceFrame().isLocal());
+    return local
+        .map(
+            home ->
+                home.referenceFrame().equals(ReferenceFrame.LOCAL_ENU)
+                    ? Point.of(home.x(), home.y(), 0.0)
+                    : Point.of(home.y(), home.x(), 0.0))
+        .orElse(Point.ORIGIN);
   }
 
   /** The world of a run, with the environment of its file. */
@@ -226,8 +247,8 @@ final class SimulateCommand implements Callable<Integer>, Demo {
     VehicleTrial placed =
         hasService(IoioService.class)
             ? VehicleTrial.behindBoard(
-                vehicle, world, Point.ORIGIN, at.headingRad(), Hazards.none(), seed)
-            : VehicleTrial.of(vehicle, world, Point.ORIGIN, at.headingRad(), seed);
+                vehicle, world, place(mission), at.headingRad(), Hazards.none(), seed)
+            : VehicleTrial.of(vehicle, world, place(mission), at.headingRad(), seed);
     Set<String> goals = new LinkedHashSet<>();
     mission.goals().forEach(goal -> goals.add(goal.uid()));
     int elsewhere = goals.size() - plan(mission).waypoints().size();

@@ -1,6 +1,7 @@
 package org.u2sa.scenarios.simulate;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
@@ -114,6 +115,23 @@ class SimulateTest {
     List<String> track = Files.readAllLines(folder.resolve("out/track.csv"));
     int altitude = List.of(track.get(0).split(",")).indexOf("altitude_m");
     assertThat(Double.parseDouble(track.get(1).split(",")[altitude])).isBetween(43.0, 44.0);
+  }
+
+  @Test
+  void simulate_homeInALocalFrame_startsThereAndNotAtTheOrigin()
+      throws IOException, URISyntaxException {
+    project("rover");
+    Files.writeString(
+        folder.resolve("mission.xml"),
+        "<mission><home><reference>Local NED</reference><x>8</x><y>5</y><psi>180</psi></home>"
+            + "<waypoint><reference>Local NED</reference><x>4</x><y>5</y></waypoint></mission>");
+
+    simulate("out", "--limit", "1");
+
+    String[] start = Files.readAllLines(folder.resolve("out/track.csv")).get(1).split(",");
+    double metresPerDeg = 6_378_137.0 * Math.PI / 180.0; // at the equator
+    assertThat(Double.parseDouble(start[1]) * metresPerDeg).isCloseTo(5.0, within(0.1));
+    assertThat(Double.parseDouble(start[2]) * metresPerDeg).isCloseTo(8.0, within(0.1));
   }
 
   @Test
