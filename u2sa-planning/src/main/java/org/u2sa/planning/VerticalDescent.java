@@ -36,14 +36,16 @@ final class VerticalDescent implements LandingState.Descent {
     guidance.begin(Optional.empty());
     detour.begin();
     above = false;
-    altitudeM = vehicle.place().upM().orElse(0.0);
+    double upM = vehicle.place().upM().orElse(0.0);
+    altitudeM = Math.max(upM, Place.of(goal).upM().orElse(upM) + SLOW_BELOW_M); // as onto a roof
   }
 
   @Override
   public Plan plan(Landing goal, StateInformation state, Vehicle vehicle) {
     Place place = Place.of(goal);
     Point to = vehicle.nedOf(place);
-    above |= Math.hypot(to.x(), to.y()) <= goal.horizontalThreshold();
+    boolean isHighEnough = to.z() > -SLOW_BELOW_M;
+    above |= isHighEnough && Math.hypot(to.x(), to.y()) <= goal.horizontalThreshold();
     if (!above) {
       Place over = place.at(altitudeM);
       Optional<Plan> around =

@@ -440,6 +440,27 @@ class FlightGoalsTest {
   }
 
   @Test
+  void landing_multirotorLowerThanTheRoof_climbsAboveItFirst() {
+    kit.start(PathPlanner::new);
+    ned = Point.of(30.0, 0.0, -5.0);
+    pursue(new Landing().x(0.0).y(0.0).z(-20.0)); // 20 m up
+    double highestM = 0.0;
+    for (int i = 0; i < 2000 && reports().isEmpty(); i++) {
+      step(4.0);
+      highestM = Math.max(highestM, -ned.z());
+      boolean isOverTheRoof = Math.hypot(ned.x(), ned.y()) < 5.0;
+      assertThat(isOverTheRoof && ned.z() > -19.0).as("below the roof at step %d", i).isFalse();
+      if (isOverTheRoof && ned.z() > -20.0) {
+        ned = Point.of(ned.x(), ned.y(), -20.0);
+        velocity = Point.ORIGIN;
+      }
+    }
+
+    assertThat(highestM).isBetween(22.0, 25.0);
+    assertThat(reports().get(0).completed()).isTrue();
+  }
+
+  @Test
   void landing_towerBeforeTheMultirotor_isFlownAround() {
     tower("GRID", 60.0, 10.0);
     kit.start(PathPlanner::new);
