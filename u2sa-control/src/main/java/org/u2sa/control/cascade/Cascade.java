@@ -107,7 +107,7 @@ final class Cascade {
     Point toGo = target.way().orElse(Point.ORIGIN);
     if (target.headingRad().isPresent()) {
       headingRad = target.headingRad();
-    } else if (settings.way().facesTheWay()
+    } else if ((settings.way().facesTheWay() || cannotSway())
         && distanceM(target) >= settings.way().facingDistance()) {
       double astern = target.isBackwards() ? Math.PI : 0.0;
       double course = Math.atan2(toGo.y(), toGo.x());
@@ -158,7 +158,7 @@ final class Cascade {
     Point level = motion.level(toGo);
     double forward = towards(DegreeOfFreedom.SURGE, level.x());
     double right = towards(DegreeOfFreedom.SWAY, level.y());
-    if (turnsFirst || !settings.leans() && !tuning[SWAY].isControlled()) {
+    if (turnsFirst || cannotSway()) {
       double aside = Math.hypot(level.x(), level.y());
       double ahead = aside > 0.0 ? level.x() / aside : 0.0;
       if (target.headingRad().isEmpty()) { // turn first
@@ -173,6 +173,11 @@ final class Cascade {
     Point velocity =
         Point.of(scale * forward, scale * right, towards(DegreeOfFreedom.HEAVE, level.z()));
     return settings.leans() ? velocity : motion.fromLevel(velocity);
+  }
+
+  /** Whether it gets to a point abeam only by turning. */
+  private boolean cannotSway() {
+    return !settings.leans() && !tuning[SWAY].isControlled();
   }
 
   private double towards(DegreeOfFreedom axis, double error) {

@@ -283,6 +283,20 @@ class AllocatingControlTest {
     }
   }
 
+  @Test
+  void control_pointAbeamOfAVehicleThatCannotSway_turnsTowardsIt() {
+    startSlowThruster();
+    turned(0.0, 1);
+    kit.publish(Channels.NAVIGATION, at(NavigationPoint.at(Point.of(0.0, 10.0, 0.0)))); // left
+    turned(0.0, 3);
+    double left = kit.percent("THRUSTER");
+    kit.publish(Channels.NAVIGATION, at(NavigationPoint.at(Point.of(0.0, -10.0, 0.0))));
+    turned(0.0, 6);
+
+    assertThat(left).isNotZero();
+    assertThat(kit.percent("THRUSTER") * left).isNegative();
+  }
+
   private void arm(boolean armed) {
     kit.publish(Channels.ARMING_STATE, new ArmingState().armed(armed));
   }

@@ -39,7 +39,8 @@ export class Place {
     if (!this.origin || this.origin.frame !== frame) return undefined;
     const east = frame === 'LOCAL_NED' ? y : x;
     const north = frame === 'LOCAL_NED' ? x : y;
-    return {x: (east - this.origin.x) * this.origin.perX, y: (north - this.origin.y) * this.origin.perY};
+    const across = frame === 'GLOBAL' ? wrapped(east - this.origin.x) : east - this.origin.x;
+    return {x: across * this.origin.perX, y: (north - this.origin.y) * this.origin.perY};
   }
 
   ofBody(frame, forward, y) {
@@ -54,10 +55,15 @@ export class Place {
   /** Coordinates in the map's own frame, as messages have them. */
   inFrame({x, y}) {
     const {frame, perX, perY, x: x0, y: y0} = this.origin;
-    const east = x0 + x / perX;
+    const east = frame === 'GLOBAL' ? wrapped(x0 + x / perX) : x0 + x / perX;
     const north = y0 + y / perY;
     return frame === 'LOCAL_NED' ? {frame, x: north, y: east} : {frame, x: east, y: north};
   }
+}
+
+/** The same longitude within ±180°. */
+function wrapped(degrees) {
+  return degrees > 180 ? degrees - 360 : degrees < -180 ? degrees + 360 : degrees;
 }
 
 function origin(frame, x, y) {
