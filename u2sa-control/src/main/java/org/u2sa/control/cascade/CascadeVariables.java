@@ -81,7 +81,8 @@ final class CascadeVariables {
   /** Settings for moving to the navigation point. */
   record Way(
       @Variable(ifAbsentText = "false")
-          @Description("Whether the vehicle turns towards the navigation point. One that cannot move sideways always does.")
+          @Description(
+              "Whether the vehicle turns towards the navigation point. One that cannot move sideways always does.")
           boolean facesTheWay,
       @Variable(ifAbsentText = "false")
           @Description(

@@ -84,7 +84,9 @@ final class HeadlessBrowser implements AutoCloseable, WebSocket.Listener {
   /** The value of an expression in the page. */
   JsonNode evaluate(String expression) {
     JsonNode result =
-        send("Runtime.evaluate", Map.of("expression", expression, "returnByValue", true));
+        send(
+            "Runtime.evaluate",
+            Map.of("expression", expression, "returnByValue", true, "awaitPromise", true));
     if (result.has("exceptionDetails")) {
       throw new IllegalStateException(expression + ": " + result.get("exceptionDetails"));
     }

@@ -82,6 +82,15 @@ class StationPageTest {
     browser.awaitText("doing", "to ");
     browser.awaitText("instruments", "m/s");
 
+    double acrossTheDateLineM =
+        browser
+            .evaluate(
+                "import('./place.js').then(({Place}) => { const place = new Place();"
+                    + " place.ofState({x: 179.9999, y: -17});"
+                    + " return place.of('GLOBAL', -179.9999, -17).x; })")
+            .asDouble();
+    assertThat(acrossTheDateLineM).isBetween(21.0, 22.0);
+
     browser.press("hold");
     browser.awaitText("doing", "held at");
 
