@@ -70,6 +70,7 @@ public final class CommandedActuators {
   private double announceEveryS = ANNOUNCE_EVERY_S;
   private double announceDueS = Double.POSITIVE_INFINITY;
   private BooleanSupplier deviceStopped = () -> true;
+  private boolean isWithheldByRadio;
   private boolean unconfirmed; // stopped, but not yet confirmed by the device
   private boolean armed;
   private long armedMicros; // time at which that was last received
@@ -157,6 +158,7 @@ public final class CommandedActuators {
     if (unconfirmed) {
       reportStops();
     }
+    announceWithheld();
     if (nowS >= announceDueS) {
       announceDueS = nowS + announceEveryS;
       announcements.values().forEach(each -> service.publish(Channels.ACTUATORS, each.copy()));
@@ -194,6 +196,28 @@ public final class CommandedActuators {
     }
     if (changes) {
       announceNow();
+    }
+  }
+
+  /**
+   * Whether commands are withheld from the actuators because a pilot's radio has precedence;
+   * announced in the next step, as emergency stops are.
+   */
+  public void withheld(boolean byRadio) {
+    isWithheldByRadio = byRadio;
+  }
+
+  private void announceWithheld() {
+    boolean isWithheld = isWithheldByRadio || emergency.isStopped();
+    boolean changes = false;
+    for (ActuatorAnnouncement announced : announcements.values()) {
+      if (announced.withheld() != isWithheld) {
+        announced.withheld(isWithheld);
+        changes = true;
+      }
+    }
+    if (changes) {
+      announceDueS = Double.NEGATIVE_INFINITY;
     }
   }
 

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.command.ActuatorCommand;
 import org.u2sa.messages.command.PercentageCommand;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.EmergencyStop;
@@ -79,6 +80,23 @@ class CommandedActuatorsTest {
     kit.publish(
         Channels.EMERGENCY_STOP,
         new EmergencyStop().active(false).lifts(List.of(id)).operator("Bob").reason("all well"));
+  }
+
+  @Test
+  void announcement_whileAnEmergencyStopIsInForce_saysThatCommandsAreWithheld() {
+    Drive drive = start();
+    drive.commands.announce(
+        List.of(new ActuatorAnnouncement().actuatorName("LEFT").minimum(0.0).maximum(100.0)));
+    stop("1");
+    drive.commands.step(kit.nowS());
+    assertThat(kit.latest(Channels.ACTUATORS).orElseThrow().withheld()).isTrue();
+
+    clear("1");
+    drive.commands.step(kit.nowS());
+    assertThat(kit.latest(Channels.ACTUATORS).orElseThrow().withheld()).isFalse();
+    drive.commands.withheld(true);
+    drive.commands.step(kit.nowS());
+    assertThat(kit.latest(Channels.ACTUATORS).orElseThrow().withheld()).isTrue();
   }
 
   private List<String> log(String part) {

@@ -35,6 +35,12 @@ public final class MavlinkStream {
   private long malformed;
   private String lastRefusal = "";
 
+  /** Whether a packet may begin with this byte. */
+  public static boolean isMagic(byte first) {
+    int magic = first & 0xFF;
+    return magic == MAGIC_1 || magic == MAGIC_2;
+  }
+
   /**
    * A received message.
    *
@@ -88,7 +94,7 @@ public final class MavlinkStream {
       return 0;
     }
     int magic = pending[from] & 0xFF;
-    if (magic != MAGIC_1 && magic != MAGIC_2) {
+    if (!isMagic((byte) magic)) {
       return 1;
     }
     int header = magic == MAGIC_2 ? HEADER_2 : HEADER_1;

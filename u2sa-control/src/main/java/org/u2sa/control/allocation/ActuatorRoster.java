@@ -132,6 +132,7 @@ public final class ActuatorRoster {
   private static boolean isPresent(Known known, long nowMicros) {
     double renewalS = known.announced.renewal().orElse(RENEWAL_S);
     return !known.failed
+        && !known.announced.withheld()
         && known.announced.available().orElse(ALL_PERCENT) > 0.0
         && nowMicros - known.heardMicros <= Clock.micros(MISSED * renewalS);
   }

@@ -245,6 +245,23 @@ class GroundControlDriveTest {
   }
 
   @Test
+  void motors_withheldByARadio_areNotDrivenAgainstAndItDrivesOnGently() {
+    for (Function<ServiceContext, ControlSystem> control :
+        List.<Function<ServiceContext, ControlSystem>>of(
+            DifferentialPursuitControl::new, DifferentialDriveControl::new)) {
+      try (RoverDrive drive = differential(control)) {
+        drive.until(() -> false, 8.0);
+        drive.withhold(true);
+        drive.until(() -> false, 2.5);
+        requireStanding(drive, 3.0);
+
+        drive.withhold(false);
+        assertThat(drive.until(() -> drive.rover.speed > 0.5, 2.0)).isTrue();
+      }
+    }
+  }
+
+  @Test
   void steering_lost_standsUntilItIsBack() {
     try (RoverDrive drive =
         new RoverDrive(

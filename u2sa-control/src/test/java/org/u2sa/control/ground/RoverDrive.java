@@ -89,13 +89,18 @@ final class RoverDrive implements AutoCloseable {
 
   /** Says what is left of an actuator [%]. */
   void announce(String actuator, double available) {
-    kit.publish(
-        Channels.ACTUATORS,
-        new ActuatorAnnouncement()
-            .actuatorName(actuator)
-            .minimum(-100.0)
-            .maximum(100.0)
-            .available(available));
+    kit.publish(Channels.ACTUATORS, announcement(actuator).available(available));
+  }
+
+  /** Says whether a radio drives the motors. */
+  void withhold(boolean withheld) {
+    for (String motor : List.of("LEFT MOTOR", "RIGHT MOTOR")) {
+      kit.publish(Channels.ACTUATORS, announcement(motor).withheld(withheld));
+    }
+  }
+
+  private static ActuatorAnnouncement announcement(String actuator) {
+    return new ActuatorAnnouncement().actuatorName(actuator).minimum(-100.0).maximum(100.0);
   }
 
   /** Drives until the condition holds, or for that long; answers whether it held. */

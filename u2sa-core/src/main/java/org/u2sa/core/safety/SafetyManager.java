@@ -37,12 +37,15 @@ import org.u2sa.service.handover.HandOver;
  * wins.
  */
 public final class SafetyManager extends PeriodicService {
+  private static final String LAST_CLEAR = "LAST CLEAR"; // in the hand-over
   private static final double CHECKS_PER_S = 10.0;
   private static final double SLOWEST_HZ = 1.0; // otherwise failsafes would come too late
   private static final double REPEAT_INTERVAL_S = 1.0; // interval for unchanged states
 
   private final Settings<SafetyVariables> settings = settings(SafetyVariables.class);
   private final EmergencyLatch emergency;
+  private String lastClear = ""; // of an emergency stop
+  private String clearBefore = ""; // the last one that the predecessor heard
   private final Conditions conditions = new Conditions();
   private final NamedServices named = new NamedServices(settings);
   private final SafetyPilot pilot = new SafetyPilot(settings, conditions);
@@ -151,6 +154,7 @@ public final class SafetyManager extends PeriodicService {
     arming.handOver(state);
     decision.handOver(state);
     conditions.handOver(state);
+    state.text(LAST_CLEAR, lastClear);
     watches.forEach(watch -> watch.handOver(state, now));
   }
 
@@ -163,6 +167,8 @@ public final class SafetyManager extends PeriodicService {
     }
     decision.takeOver(state, now);
     conditions.takeOver(state);
+    clearBefore = state.text(LAST_CLEAR).orElse("");
+    lastClear = clearBefore;
     watches.forEach(watch -> watch.takeOver(state, now, isSwap));
   }
 
@@ -172,7 +178,8 @@ public final class SafetyManager extends PeriodicService {
         watches.stream()
             .map(Watch::saved)
             .collect(
-                Collectors.joining(" ", arming.isArmed() + decision.saved(), conditions.saved()));
+                Collectors.joining(
+                    " ", arming.isArmed() + lastClear + decision.saved(), conditions.saved()));
     if (!state.equals(saved)) {
       saved = state;
       remember();
@@ -181,7 +188,11 @@ public final class SafetyManager extends PeriodicService {
 
   private void beginAfterPredecessor() {
     begun = true;
-    if (predecessor.wasArmed() && !emergency.isStopped()) {
+    boolean wasStopped = isRestart && !lastClear.equals(clearBefore);
+    if (wasStopped) {
+      log(LogLevelEnum.WARN, "disarmed: an emergency stop was cleared while no Safety Manager ran");
+    }
+    if (predecessor.wasArmed() && !emergency.isStopped() && !wasStopped) {
       arming.stayArmed();
     } else {
       decision.acknowledge(); // causes count while armed; an emergency stop persists by itself
@@ -251,6 +262,9 @@ public final class SafetyManager extends PeriodicService {
 
   private void stopOrGo(EmergencyStop message) {
     boolean changed = emergency.accept(message);
+    if (!message.active()) {
+      lastClear = message.operator() + " " + message.timestamp().orElse(0L);
+    }
     heedsEmergencyStops(emergency.identities());
     if (!message.active() && emergency.isStopped()) {
       // The clear is retained: late subscribers must not conclude that the remaining stops ended.

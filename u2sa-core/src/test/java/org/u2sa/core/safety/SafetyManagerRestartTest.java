@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.EmergencyStop;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.safety.OperatorHeartbeat;
@@ -130,9 +131,38 @@ class SafetyManagerRestartTest extends WatchedVehicle {
     assertThat(failsafe().causes().get(0)).startsWith("operator link: \"Ann\" silent for ");
   }
 
-  private void restart(SafetyManager before) {
-    kit.restart(before, SafetyManager::new);
+  private SafetyManager restart(SafetyManager before) {
+    SafetyManager after = kit.restart(before, SafetyManager::new);
     kit.advance(0.6);
+    return after;
+  }
+
+  @Test
+  void restart_stopGivenAndClearedInItsAbsence_isDisarmed() {
+    SafetyManager before = startArmedManager();
+    kit.publish(Channels.EMERGENCY_STOP, stop("Ann 1"));
+    kit.publish(Channels.EMERGENCY_STOP, clear("Ann 1"));
+    arm(true);
+    SafetyManager second = restart(before); // the same clear, which it had heard
+    assertThat(kit.latest(Channels.ARMING_STATE).orElseThrow().armed()).isTrue();
+
+    second.kill();
+    kit.publish(Channels.EMERGENCY_STOP, stop("Ann 2"));
+    kit.advance(1.0);
+    kit.publish(Channels.EMERGENCY_STOP, clear("Ann 2"));
+    restart(second);
+
+    assertThat(kit.latest(Channels.ARMING_STATE).orElseThrow().armed()).isFalse();
+    assertThat(kit.log("SafetyManager"))
+        .anyMatch(line -> line.contains("an emergency stop was cleared while no Safety Manager"));
+  }
+
+  private static EmergencyStop stop(String id) {
+    return new EmergencyStop().active(true).stopId(id).operator("Ann");
+  }
+
+  private static EmergencyStop clear(String id) {
+    return new EmergencyStop().active(false).lifts(List.of(id)).operator("Ann");
   }
 
   @Test

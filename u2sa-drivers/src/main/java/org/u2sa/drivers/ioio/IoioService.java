@@ -132,6 +132,7 @@ public final class IoioService extends ProprioceptiveSensor implements ActuatorO
     sensors.read(now).forEach(state -> publish(Channels.SENSED_STATE, state));
     with(session, pins -> sensors.send(now, session.flatMap(BoardSession::lockstep)));
     commands.available(session.isPresent() ? ALL_PERCENT : 0.0);
+    commands.withheld(position != RcSwitch.Position.AUTOMATIC);
     report(session); // last, so that it is the latest error in the health report
     commands.step(nowS);
   }

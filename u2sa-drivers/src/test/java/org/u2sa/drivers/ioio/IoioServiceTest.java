@@ -124,8 +124,10 @@ class IoioServiceTest {
     on.bench.pulses(35, 1.1e-3);
     on.drive(50.0, 50.0, 0.2);
     on.expectWidths(BoardKit.NEUTRAL_S, BoardKit.NEUTRAL_S);
+    assertThat(on.kit.latest(Channels.ACTUATORS).orElseThrow().withheld()).isTrue();
     on.bench.pulses(35, 1.9e-3);
     on.drive(50.0, 50.0, 0.5);
+    assertThat(on.kit.latest(Channels.ACTUATORS).orElseThrow().withheld()).isFalse();
     on.expectWidths(1.75e-3, 1.75e-3);
     on.bench.pulses(35, 0.0);
     on.drive(50.0, 50.0, 0.5);

@@ -12,11 +12,14 @@ import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
 import java.util.function.Supplier;
+import org.u2sa.mavlink.MavlinkStream;
 
 /**
  * Stations that connect by TCP. A station that floods is throttled; one that does not read is
  * disconnected. If all places are taken, a new station replaces the oldest connection that has sent
- * no valid packet, so silent clients and clients without the key cannot lock operators out.
+ * no valid packet, so silent clients and clients without the key cannot lock operators out. One that
+ * begins with anything but a packet is disconnected: a page in a browser of this host can send an
+ * HTTP request to any port, with packets in its body.
  */
 final class TcpLink implements StationLink {
   private static final int MAX_STATIONS = 16;
@@ -28,6 +31,7 @@ final class TcpLink implements StationLink {
   private static final class Peer {
     private final SocketChannel channel;
     private final StationSession session;
+    private boolean began; // has sent its first byte
     private ByteBuffer unsent = ByteBuffer.allocate(0);
     private long wroteMicros;
 
@@ -118,6 +122,10 @@ final class TcpLink implements StationLink {
       if (length == 0) {
         return true;
       }
+      if (!peer.began && !MavlinkStream.isMagic(buffer.get(0))) {
+        return false;
+      }
+      peer.began = true;
       peer.session.receive(buffer.array(), length, nowMicros);
     }
     return true;

@@ -1,8 +1,10 @@
 package org.u2sa.gcs.mavlink;
 
+import static java.nio.charset.StandardCharsets.US_ASCII;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.InetAddress;
@@ -83,6 +85,24 @@ class TcpStationsTest {
         socket.close();
       }
       tooMany.close();
+    }
+  }
+
+  /** As a page in a browser sends it, without asking. */
+  @Test
+  void exchange_httpRequestWithPacketsInItsBody_isDisconnectedUnheard() throws IOException {
+    try (Selector selector = Selector.open();
+        TcpLink link = open(selector)) {
+      List<Socket> sockets = new ArrayList<>();
+      StationSession session = connect(link, sockets);
+      ByteArrayOutputStream request = new ByteArrayOutputStream();
+      request.writeBytes("POST / HTTP/1.1\r\n\r\n".getBytes(US_ASCII));
+      request.writeBytes(kit.station.encode(StationPackets.requestVersion()));
+      sockets.get(0).getOutputStream().write(request.toByteArray());
+      turnUntil(link, () -> known(link).isEmpty());
+
+      assertThat(session.isHeard()).isFalse();
+      sockets.get(0).close();
     }
   }
 

@@ -61,6 +61,8 @@ public final class ActuatorAnnouncement extends U2SAData {
       SCHEMA.optionalName("serviceName");
   private static final ValueField<ActuatorAnnouncement, List<String>> COMMAND_TYPES =
       SCHEMA.optionalTexts("commandTypes");
+  private static final ValueField<ActuatorAnnouncement, Boolean> WITHHELD =
+      SCHEMA.optionalFlag("withheld");
 
   public static final MessageType<ActuatorAnnouncement> TYPE = SCHEMA.build();
 
@@ -235,6 +237,18 @@ public final class ActuatorAnnouncement extends U2SAData {
 
   public ActuatorAnnouncement available(double value) {
     return put(AVAILABLE, value);
+  }
+
+  /**
+   * Whether the actuator is sound but does not carry out commands for now, because a pilot's radio
+   * or an emergency stop has precedence. False from senders that predate the field.
+   */
+  public boolean withheld() {
+    return Boolean.TRUE.equals(get(WITHHELD));
+  }
+
+  public ActuatorAnnouncement withheld(boolean value) {
+    return put(WITHHELD, value);
   }
 
   /**
