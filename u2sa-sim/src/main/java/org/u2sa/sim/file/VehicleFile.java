@@ -99,7 +99,9 @@ public final class VehicleFile {
 
   /** Rejects parameters whose motion cannot be integrated at a fixed rate. */
   private void probe(XmlElement root) {
-    for (int pattern = 0; pattern < 4; pattern++) { // all ahead, all astern, alternating; each is reversed
+    for (int pattern = 0;
+        pattern < 4;
+        pattern++) { // all ahead, all astern, alternating; each is reversed
       SimulatedVehicle vehicle = probed(root);
       double speed = Double.NaN;
       try {

@@ -97,8 +97,7 @@ class VehicleStartTest {
     VehicleFile file = shipped("ugv/vehicle.xml");
     World world = around(file, new Box());
 
-    assertThatThrownBy(
-            () -> file.board(world, Point.of(3.0, 0.0, 0.0), 0.0, Hazards.none(), 1))
+    assertThatThrownBy(() -> file.board(world, Point.of(3.0, 0.0, 0.0), 0.0, Hazards.none(), 1))
         .hasMessageContaining("it touches shed; expected a free place");
   }
 }
