@@ -301,7 +301,7 @@ public class PathPlanner extends EventDrivenService {
     try {
       publish(next(state, stateless), state);
     } catch (IllegalArgumentException e) {
-      complain(e.getMessage() + ": no navigation points", e.getMessage());
+      refuse(e.getMessage() + ": no navigation points");
     }
     if (ground.isNews()) {
       remember();
@@ -395,7 +395,6 @@ public class PathPlanner extends EventDrivenService {
           chosen.uid());
       return atEnd(state);
     }
-    complaint = "";
     end.leave();
     holdAt = Optional.empty();
     Optional<GoalInformation> after =
@@ -434,7 +433,9 @@ public class PathPlanner extends EventDrivenService {
     }
     avoidance.news().ifPresent(path -> show(path, state));
     rightOfWay.news().ifPresent(path -> show(path, state));
-    return view.with(plan.points(), chosen, state);
+    List<NavigationPoint> points = view.with(plan.points(), chosen, state);
+    complaint = "";
+    return points;
   }
 
   private void show(PlannedPath path, StateInformation state) {
@@ -475,6 +476,15 @@ public class PathPlanner extends EventDrivenService {
       trouble(line); // also reported in health
     } else {
       log(LogLevelEnum.WARN, line);
+    }
+  }
+
+  /** Reports that the current goal cannot be planned: once, also in health. */
+  private void refuse(String what) {
+    String key = "no plan for " + goal.map(GoalInformation::uid).orElse("the end");
+    if (!complaint.equals(key)) {
+      trouble(what);
+      complaint = key;
     }
   }
 

@@ -9,6 +9,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.ConfigurationChange;
+import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -149,16 +150,22 @@ class PathPlannerTest extends PlannedVehicle {
   }
 
   @Test
-  void state_onEarthButWaypointLocal_saysThatTheyDoNotFit() {
+  void state_onEarthButWaypointLocal_saysOnceAndInHealthThatTheyDoNotFit() {
+    String words =
+        "a place on a local plane (LOCAL_ENU, LOCAL_NED) cannot be navigated to by a state on the earth (GLOBAL, UTM)";
     kit.start(PathPlanner::new);
     goals(waypoint("1", 100, 0));
-    kit.publish(Channels.STATE, new StateInformation().x(8.0).y(50.0).psi(0.0));
+    for (int i = 0; i < 3; i++) {
+      kit.publish(Channels.STATE, new StateInformation().x(8.0).y(50.0).psi(0.0));
+      kit.advance(0.1);
+    }
 
     assertThat(kit.published(Channels.NAVIGATION)).isEmpty();
-    assertThat(
-            logged(
-                "a place on a local plane (LOCAL_ENU, LOCAL_NED) cannot be navigated to by a state on the earth (GLOBAL, UTM)"))
-        .isEqualTo(1);
+    assertThat(logged(words)).isEqualTo(1);
+    kit.advance(1.0);
+    assertThat(kit.<HealthReport>published(Channels.HEALTH))
+        .extracting(report -> report.lastError().orElse(""))
+        .anyMatch(error -> error.contains(words));
   }
 
   @Test

@@ -28,6 +28,7 @@ import org.u2sa.sim.world.World;
 public final class VehicleFile {
   private static final String ROOT = "vehicle";
   private static final double PROBE_S = 1.0;
+  private static final double REVERSED_S = 0.1;
   private static final double FASTEST_MPS = 1_000.0;
 
   private final String origin;
@@ -98,18 +99,17 @@ public final class VehicleFile {
 
   /** Rejects parameters whose motion cannot be integrated at a fixed rate. */
   private void probe(XmlElement root) {
-    for (int pattern = 0; pattern < 4; pattern++) { // all ahead, all astern, and alternating
+    for (int pattern = 0;
+        pattern < 4;
+        pattern++) { // all ahead, all astern, alternating; each is reversed
       SimulatedVehicle vehicle = probed(root);
-      int bits = pattern;
-      for (int i = 0; i < model.actuators().size(); i++) {
-        String actuator = model.actuators().get(i);
-        boolean isFull = (bits >> i % 2 & 1) == 0;
-        vehicle.command(actuator, isFull ? 1.0 : model.lowest(actuator));
-      }
       double speed = Double.NaN;
       try {
+        command(vehicle, pattern);
         vehicle.step(PROBE_S);
         speed = vehicle.truth().velocity().distance() + vehicle.truth().rates().distance();
+        command(vehicle, ~pattern);
+        vehicle.step(REVERSED_S);
       } catch (IllegalArgumentException e) {
         throw root.error("its motion diverges: " + e.getMessage(), e);
       }
@@ -123,6 +123,15 @@ public final class VehicleFile {
                 + FASTEST_MPS
                 + ": are mass, inertia and forces in the right units?");
       }
+    }
+  }
+
+  /** Commands full ahead where the pattern has 0, by turns its last bit and the one before. */
+  private void command(SimulatedVehicle vehicle, int pattern) {
+    for (int i = 0; i < model.actuators().size(); i++) {
+      String actuator = model.actuators().get(i);
+      boolean isFull = (pattern >> i % 2 & 1) == 0;
+      vehicle.command(actuator, isFull ? 1.0 : model.lowest(actuator));
     }
   }
 

@@ -99,6 +99,13 @@ public final class AckermannVehicle extends PlanarVehicle {
   }
 
   @Override
+  void bound(FastestRate rate) {
+    rate.add(rear, s[REAR + DrivenWheel.SPIN]);
+    rate.add(front.x, 0.0, front.stiffness, front.damperNsPerM());
+    rate.add(1.0 / p.steerLagS());
+  }
+
+  @Override
   void settle() {
     rear.settle(s, REAR, TICK_S);
     s[FRONT] = front.bounded(s[FRONT]);
@@ -158,6 +165,10 @@ public final class AckermannVehicle extends PlanarVehicle {
     void load(double newtons) {
       loadN = newtons;
       stiffness = tyre.slipStiffness() * loadN / tyre.relaxationM();
+    }
+
+    double damperNsPerM() {
+      return stiffness * tyre.dampingS();
     }
 
     void ground(double grip, double rolling) {

@@ -144,6 +144,13 @@ public final class DifferentialVehicle extends PlanarVehicle {
   }
 
   @Override
+  void bound(FastestRate rate) {
+    rate.add(left, s[LEFT + DrivenWheel.SPIN]);
+    rate.add(right, s[RIGHT + DrivenWheel.SPIN]);
+    rate.add(castor.settlingPerS(StrictMath.hypot(s[U], s[V])));
+  }
+
+  @Override
   void settle() {
     left.settle(s, LEFT, TICK_S);
     right.settle(s, RIGHT, TICK_S);
@@ -217,6 +224,11 @@ public final class DifferentialVehicle extends PlanarVehicle {
 
     void ground(double rolling) {
       dragN = rolling * loadN;
+    }
+
+    /** Rate at which it turns into its direction at a speed. */
+    double settlingPerS(double speedMps) {
+      return speedMps / trailM;
     }
 
     double x() {

@@ -109,6 +109,35 @@ final class DrivenWheel {
     return powered ? (dutyV - constant * spin) / motor.resistanceOhm() : 0.0;
   }
 
+  /** Bound of the rate at which spin and tyre settle in a tick that begins at a spin [1/s]. */
+  double settlingPerS(double spin) {
+    double ohm = motor.resistanceOhm();
+    double torque = constant * (Math.abs(dutyV) + Math.abs(constant * spin)) / ohm;
+    double friction = FRICTION_DAMPING_S * radiusM / WIND_UP_M * holdNm(torque);
+    double motorNms = powered ? constant * constant / ohm : 0.0;
+    double fastest = Math.max(Math.abs(spin), Math.abs(dutyV) / constant);
+    return (damperNsPerM() * radiusM * radiusM + motorNms + friction) / inertia
+        + fastest * radiusM / tyre.relaxationM();
+  }
+
+  /** Square of the rate at which the wheel oscillates on its tyre [1/s²]. */
+  double squaredPerS2() {
+    return stiffness * radiusM * radiusM / inertia;
+  }
+
+  double springNPerM() {
+    return stiffness;
+  }
+
+  double damperNsPerM() {
+    return stiffness * tyre.dampingS();
+  }
+
+  /** Damping of yaw by the patch at rest [N m s]. */
+  double scrubNms() {
+    return DISC * gripN * tyre.patchRadiusM() * tyre.patchRadiusM() / SCRUB_MPS;
+  }
+
   /** Battery current of the motor [A]. */
   double drawnA(double spin) {
     return duty * currentA(spin);

@@ -45,6 +45,7 @@ abstract class PlanarVehicle implements GroundVehicle {
   private final double referenceX; // relative to the centre of gravity
   private final double referenceY;
   private final RungeKutta integrator;
+  private final FastestRate fastest;
   private final RungeKutta.Motion motion = this::derivatives;
   private final double[] rate;
   private double pushEast;
@@ -77,6 +78,7 @@ abstract class PlanarVehicle implements GroundVehicle {
     integrator = new RungeKutta(size);
     massKg = chassis.massKg();
     yawInertiaKgM2 = chassis.yawInertiaKgM2();
+    fastest = new FastestRate(massKg, yawInertiaKgM2);
     referenceX = -chassis.cogAheadM();
     referenceY = -chassis.cogRightM();
     this.battery = battery;
@@ -98,6 +100,9 @@ abstract class PlanarVehicle implements GroundVehicle {
    * @param right fraction of the weight to the right
    */
   abstract void lean(double pressing, double forward, double right);
+
+  /** Adds the wheels, tyres and other states, as prepared for a tick. */
+  abstract void bound(FastestRate rate);
 
   /** Called after a tick's integration. */
   abstract void settle();
@@ -166,7 +171,9 @@ abstract class PlanarVehicle implements GroundVehicle {
       return;
     }
     resting = false;
-    integrator.step(motion, s, TICK_S);
+    fastest.begin();
+    bound(fastest);
+    integrator.step(motion, s, TICK_S, fastest.steps(TICK_S));
     settle();
     if (left && still()) {
       derivatives(s, rate);

@@ -124,6 +124,13 @@ public final class SkidSteerVehicle extends PlanarVehicle {
   }
 
   @Override
+  void bound(FastestRate rate) {
+    for (int i = 0; i < wheels.length; i++) {
+      rate.add(wheels[i], s[at(i) + DrivenWheel.SPIN]);
+    }
+  }
+
+  @Override
   void settle() {
     for (int i = 0; i < wheels.length; i++) {
       wheels[i].settle(s, at(i), TICK_S);

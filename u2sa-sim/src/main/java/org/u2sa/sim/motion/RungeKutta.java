@@ -26,6 +26,21 @@ public final class RungeKutta {
    * @param dtS step size [s]
    */
   public void step(Motion motion, double[] state, double dtS) {
+    step(motion, state, dtS, 1);
+  }
+
+  /**
+   * Advances a state in equal steps.
+   *
+   * @param dtS time of all steps [s]
+   */
+  public void step(Motion motion, double[] state, double dtS, int steps) {
+    for (int i = 0; i < steps; i++) {
+      single(motion, state, dtS / steps);
+    }
+  }
+
+  private void single(Motion motion, double[] state, double dtS) {
     motion.derivatives(state, k1);
     advance(state, k1, dtS / 2);
     motion.derivatives(between, k2);
