@@ -71,8 +71,7 @@ final class Relocation {
       map = new LocalMap(reach + mapWindowM);
     }
     double near = windowM * Math.sqrt(2.0) + nearM;
-    map.build(
-        keys.stream().filter(key -> key.pose().distance(expected) < near).toList(), expected);
+    map.build(keys.stream().filter(key -> key.pose().distance(expected) < near).toList(), expected);
     Optional<PlaceSearch.Place> place = places.search(map, scan, expected, windowM, windowRad);
     if (place.isEmpty() || place.get().alike().isPresent()) {
       why = place.isEmpty() ? "the scan fits nowhere" : "several places look alike";

@@ -121,7 +121,9 @@ final class ScanMap {
     matches++;
     unmatchedInARow = 0;
     double[] after = Matrix3.inverse(Matrix3.plus(match.information(), prior));
-    return isFixed ? onFixed(match.pose(), after, wasLost) : onGrowing(match.pose(), after, points, scan);
+    return isFixed
+        ? onFixed(match.pose(), after, wasLost)
+        : onGrowing(match.pose(), after, points, scan);
   }
 
   /** Whether a pose of the saved map is not known well enough for a match nearby to be the one. */

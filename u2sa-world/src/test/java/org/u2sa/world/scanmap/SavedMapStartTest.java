@@ -56,7 +56,8 @@ class SavedMapStartTest {
   @BeforeAll
   static void saveMaps() {
     SavedMapStartTest test = new SavedMapStartTest();
-    List<Pose2> circle = IntStream.rangeClosed(0, 60).mapToObj(SavedMapStartTest::onCircle).toList();
+    List<Pose2> circle =
+        IntStream.rangeClosed(0, 60).mapToObj(SavedMapStartTest::onCircle).toList();
     test.save("hall.map", Room.hall(), circle);
     test.save("bare.map", Room.bare(8.0, 6.0), circle);
     test.save(
@@ -190,8 +191,7 @@ class SavedMapStartTest {
   void enter_startTooUncertainForASavedMap_isRefused() {
     assertThatThrownBy(
             () ->
-                modeller(
-                    Map.of("MAP FILE", "a.map", "MAP START", "0 0 0", "MAP START SIGMA", 6.0)))
+                modeller(Map.of("MAP FILE", "a.map", "MAP START", "0 0 0", "MAP START SIGMA", 6.0)))
         .hasMessageContaining("MAP START SIGMA: 6.0 m")
         .hasMessageContaining("at most 5.0 m");
   }
