@@ -9,7 +9,8 @@ import java.util.List;
  */
 final class LocalMap {
   static final double CELL = 0.1; // [m]
-  private static final int BLOCK = 8; // cells
+  static final int HALF_BLOCK = 4; // cells
+  static final int BLOCK = 2 * HALF_BLOCK;
   static final double BLOCK_M = BLOCK * CELL;
 
   private static final int STAMP = 3; // radius of the likelihood around a surface [cells]
@@ -20,9 +21,10 @@ final class LocalMap {
   private final int side;
   private final int[] index;
   private final byte[] likelihood;
-  private final int blocks;
-  private final byte[] bounds; // per block of cells, see {@code bound}
   private final byte[] stamp = new byte[(2 * STAMP + 1) * (2 * STAMP + 1)];
+  private byte[] halves; // the largest likelihood in 4 by 4 cells from each one on
+  private byte[] blocks; // in 8 by 8
+  private boolean isBound;
   private double left;
   private double bottom;
   private float[] sums = new float[1024 * SIZES];
@@ -35,8 +37,6 @@ final class LocalMap {
     side = (int) Math.ceil(2.0 * reach / CELL);
     index = new int[side * side];
     likelihood = new byte[side * side];
-    blocks = side / BLOCK + 1;
-    bounds = new byte[blocks * blocks];
     for (int i = -STAMP; i <= STAMP; i++) {
       for (int k = -STAMP; k <= STAMP; k++) {
         double value = FULL * StrictMath.exp(-(i * i + k * k) / (2.0 * STAMP_SIGMA * STAMP_SIGMA));
@@ -68,7 +68,7 @@ final class LocalMap {
     for (int k = 0; k < used; k++) {
       stamp(meanX(k), meanY(k));
     }
-    bound();
+    isBound = false;
   }
 
   private void enter(double x, double y, double nx, double ny) {
@@ -104,35 +104,48 @@ final class LocalMap {
     }
   }
 
-  /** Each block's bound is the largest likelihood in it and in the three blocks above and right. */
-  private void bound() {
-    Arrays.fill(bounds, (byte) 0);
-    for (int row = 0; row < side; row++) {
-      for (int column = 0; column < side; column++) {
-        byte value = likelihood[row * side + column];
-        if (value > 0) {
-          int at = row / BLOCK * blocks + column / BLOCK;
-          bounds[at] = (byte) Math.max(bounds[at], value);
-        }
-      }
+  /** Prepares the bounds of searches in large windows. */
+  void bound() {
+    if (isBound) {
+      return;
     }
-    for (int row = 0; row < blocks; row++) {
-      for (int column = 0; column < blocks; column++) {
-        int at = row * blocks + column;
-        int right = column + 1 < blocks ? at + 1 : at;
-        int above = row + 1 < blocks ? blocks : 0;
-        int most = Math.max(bounds[at], bounds[right]);
-        bounds[at] = (byte) Math.max(most, Math.max(bounds[at + above], bounds[right + above]));
+    isBound = true;
+    if (blocks == null) {
+      halves = new byte[side * side];
+      blocks = new byte[side * side];
+    }
+    spread(likelihood, blocks, 1);
+    spread(blocks, halves, 2);
+    spread(halves, blocks, 4);
+  }
+
+  /** Writes the largest of four cells, the given number of columns and rows apart, to each cell. */
+  private void spread(byte[] from, byte[] to, int apart) {
+    for (int row = 0; row < side; row++) {
+      int above = row + apart < side ? apart * side : 0;
+      for (int column = 0; column < side; column++) {
+        int at = row * side + column;
+        int right = column + apart < side ? at + apart : at;
+        int most = Math.max(from[at], from[right]);
+        to[at] = (byte) Math.max(most, Math.max(from[at + above], from[right + above]));
       }
     }
   }
 
-  /** Largest likelihood of an echo there or up to {@link #BLOCK_M} farther along both axes. */
-  int bound(double x, double y) {
-    double column = (x - left) / BLOCK_M;
-    double row = (y - bottom) / BLOCK_M;
-    boolean inside = column >= 0.0 && row >= 0.0 && column < blocks && row < blocks;
-    return inside ? bounds[(int) row * blocks + (int) column] : 0;
+  /**
+   * Sum of the likelihoods of shifted points, or a sum up to {@code least} if it cannot be more.
+   *
+   * @param cells 1, HALF_BLOCK or BLOCK: the largest likelihood counts that a point has if it is
+   *     shifted by up to one cell less along both axes; call {@link #bound} before
+   */
+  long sum(int cells, double[] x, double[] y, double dx, double dy, long least) {
+    byte[] values = cells == BLOCK ? blocks : cells == HALF_BLOCK ? halves : likelihood;
+    long sum = 0;
+    for (int p = 0; p < x.length && sum + (x.length - p) * (long) FULL > least; p++) {
+      int at = cell(x[p] + dx, y[p] + dy);
+      sum += at < 0 ? 0 : values[at];
+    }
+    return sum;
   }
 
   private int cell(double x, double y) {

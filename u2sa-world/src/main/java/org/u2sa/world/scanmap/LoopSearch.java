@@ -22,13 +22,9 @@ final class LoopSearch {
       6.0; // distance driven before and after the candidate [m]
   private static final double JOINED_M =
       4.0; // distance covered by the newest scans, matched together [m]
-  private static final double MIN_SHARE = 0.7;
-  private static final double MIN_SCORE = 0.55;
-  private static final double MAX_SIGMA_M = 0.15;
   private static final double INFLATED =
       4.0; // variance of the expected pose, for what the graph's omits
   private static final double MAX_OFF = 16.0; // from the expected pose, squared sigmas
-  private static final double ALIKE = 0.85; // of the score: another pose that may be the true one
   private static final double MAX_OFF_IF_ALIKE = 1.0;
   private static final double MIN_APART =
       4.0; // by which the other one is farther from the expected pose
@@ -42,7 +38,7 @@ final class LoopSearch {
   private static final int CANDIDATES = 2;
 
   private final LocalMap map;
-  private final ScanMatcher matcher = new ScanMatcher();
+  private final PlaceSearch places = new PlaceSearch();
   private final List<Closure> pending = new ArrayList<>();
   private double searchedWay = Double.NEGATIVE_INFINITY;
   private final List<Closure> confirmed = new ArrayList<>();
@@ -149,30 +145,23 @@ final class LoopSearch {
       return Optional.empty();
     }
     map.build(around, now.pose());
-    Pose2 best = matcher.searched(map, joined, now.pose(), radius, turn);
-    double[] weak = Matrix3.inverse(Matrix3.ofSigmas(5.0, 5.0, 1.0));
-    ScanMatcher.Match match = matcher.match(map, joined, best, weak, 0.0, 0.0);
-    boolean fits = match.share() > MIN_SHARE && match.score() > MIN_SCORE;
-    if (!fits) {
+    Optional<PlaceSearch.Place> place = places.search(map, joined, now.pose(), radius, turn);
+    if (place.isEmpty()) {
       return Optional.empty();
     }
-    double[] known;
-    try {
-      known = Matrix3.inverse(match.information());
-    } catch (ArithmeticException e) {
-      return Optional.empty();
-    }
-    boolean isDefinite = known[0] > 0.0 && known[4] > 0.0 && known[8] > 0.0;
-    if (!isDefinite || Matrix3.largestSigma(known) > MAX_SIGMA_M) {
-      return Optional.empty();
-    }
+    ScanMatcher.Match match = place.get().match();
     double off = squareOff(now.pose(), match.pose(), covariance);
-    Pose2 other = matcher.elsewhere(map, joined, now.pose(), radius, turn, match.pose());
-    boolean isAlike = ScanMatcher.score(map, joined, other) > ALIKE * match.score();
-    boolean isNearest =
-        off < MAX_OFF_IF_ALIKE && squareOff(now.pose(), other, covariance) > off + MIN_APART;
-    if (off > MAX_OFF || (isAlike && !isNearest)) {
-      return Optional.empty(); // as along a row of equal pillars
+    boolean isLikeliest = // unlike along a row of equal pillars
+        place
+            .get()
+            .alike()
+            .map(
+                other ->
+                    off < MAX_OFF_IF_ALIKE
+                        && squareOff(now.pose(), other, covariance) > off + MIN_APART)
+            .orElse(true);
+    if (off > MAX_OFF || !isLikeliest) {
+      return Optional.empty();
     }
     Pose2 early = keys.get(candidate).pose();
     double[] information = Matrix3.rotated(match.information(), -early.theta());

@@ -2,6 +2,7 @@ package org.u2sa.world.scanmap;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.u2sa.messages.RangeScan;
 
 /**
@@ -16,7 +17,8 @@ final class ScanMap {
    * @param covariance of x, y and angle in the map's axes: match and map uncertainty, and
    *     dead-reckoning uncertainty along directions that the surroundings do not constrain
    * @param isMatched whether the scan matched the map; otherwise the pose is dead-reckoned
-   * @param isRebuilt whether a loop was closed and all poses have moved
+   * @param isRebuilt whether poses on the map have moved: a loop was closed, or a lost vehicle was
+   *     found
    */
   record Located(Pose2 pose, double[] covariance, boolean isMatched, boolean isRebuilt) {}
 
@@ -44,6 +46,7 @@ final class ScanMap {
   private final LoopSearch loops;
   private final boolean isFixed;
   private final double[] startCovariance;
+  private final Relocation relocation;
   private List<KeyScan> compared = List.of();
   private Pose2 pose;
   private double[] covariance;
@@ -70,6 +73,8 @@ final class ScanMap {
     keys.addAll(saved);
     local = new LocalMap(tuning.matchReach() + NEAR_M);
     loops = new LoopSearch(tuning.matchReach());
+    relocation = new Relocation(saved, tuning.matchReach(), NEAR_M);
+    unmatchedInARow = isFixed ? LOST_SCANS : 0; // none has matched yet
   }
 
   /**
@@ -90,23 +95,19 @@ final class ScanMap {
     sinceKey = Matrix3.propagated(sinceKey, pose, predicted, noise);
     double[] carried = Matrix3.propagated(covariance, pose, predicted, noise);
     double[] known = isFixed ? carried : sinceKey;
-    prepare(predicted);
     double[] prior = Matrix3.inverse(Matrix3.plus(known, Matrix3.ofSigmas(0.01, 0.01, 0.002)));
-    double windowM =
-        Math.min(MAX_SEARCH_M, MIN_SEARCH_M + SEARCH_SIGMAS * Matrix3.largestSigma(known));
-    double windowRad =
-        Math.min(MAX_SEARCH_RAD, MIN_SEARCH_RAD + SEARCH_SIGMAS * Math.sqrt(known[8]));
-    ScanMatcher.Match match = matcher.match(local, points, predicted, prior, windowM, windowRad);
-    boolean isMatched = fits(match, predicted, windowM);
-    if (!isMatched) {
-      match = matcher.match(local, points, predicted, prior, MAX_SEARCH_M, MAX_SEARCH_RAD);
-      isMatched = fits(match, predicted, MAX_SEARCH_M);
+    boolean wasLost = isLost(carried);
+    Optional<ScanMatcher.Match> found =
+        wasLost ? Optional.empty() : near(points, predicted, prior, known);
+    if (isFixed && found.isEmpty()) {
+      found = relocation.find(points, predicted, carried);
     }
-    if (!isMatched) {
+    if (found.isEmpty()) {
       unmatched++;
+      unmatchedInARow++;
       pose = predicted;
       covariance = carried;
-      boolean isNew = !isFixed && ++unmatchedInARow >= LOST_SCANS && isFarFromKey();
+      boolean isNew = !isFixed && unmatchedInARow >= LOST_SCANS && isFarFromKey();
       boolean isRebuilt = // an unknown area is connected by dead reckoning alone
           isNew
               && key(
@@ -116,10 +117,45 @@ final class ScanMap {
                       Matrix3.rotated(sinceKey, -newestKey().pose().theta()), LOST_FACTOR));
       return new Located(pose, covariance, isRebuilt, isRebuilt);
     }
+    ScanMatcher.Match match = found.get();
     matches++;
     unmatchedInARow = 0;
     double[] after = Matrix3.inverse(Matrix3.plus(match.information(), prior));
-    return isFixed ? onFixed(match.pose(), after) : onGrowing(match.pose(), after, points, scan);
+    return isFixed
+        ? onFixed(match.pose(), after, wasLost)
+        : onGrowing(match.pose(), after, points, scan);
+  }
+
+  /** Whether a pose of the saved map is not known well enough for a match nearby to be the one. */
+  private boolean isLost(double[] known) {
+    return isFixed && unmatchedInARow >= LOST_SCANS && Relocation.isUncertain(known);
+  }
+
+  /** Whether the vehicle has yet to be found on the saved map. */
+  boolean isLost() {
+    return isLost(covariance);
+  }
+
+  /** Continues from a pose of another source, while the vehicle is lost. */
+  void expect(Pose2 expected, double[] itsCovariance) {
+    pose = expected;
+    covariance = itsCovariance;
+  }
+
+  /** The match near the predicted pose, or a bit farther away on a map that is being built. */
+  private Optional<ScanMatcher.Match> near(
+      ScanPoints points, Pose2 predicted, double[] prior, double[] known) {
+    prepare(predicted);
+    double windowM =
+        Math.min(MAX_SEARCH_M, MIN_SEARCH_M + SEARCH_SIGMAS * Matrix3.largestSigma(known));
+    double windowRad =
+        Math.min(MAX_SEARCH_RAD, MIN_SEARCH_RAD + SEARCH_SIGMAS * Math.sqrt(known[8]));
+    ScanMatcher.Match match = matcher.match(local, points, predicted, prior, windowM, windowRad);
+    if (!fits(match, predicted, windowM) && !isFixed) {
+      windowM = MAX_SEARCH_M;
+      match = matcher.match(local, points, predicted, prior, windowM, MAX_SEARCH_RAD);
+    }
+    return fits(match, predicted, windowM) ? Optional.of(match) : Optional.empty();
   }
 
   private boolean fits(ScanMatcher.Match match, Pose2 predicted, double windowM) {
@@ -127,12 +163,12 @@ final class ScanMap {
         && match.pose().distance(predicted) <= OUTSIDE * windowM;
   }
 
-  private Located onFixed(Pose2 matched, double[] after) {
+  private Located onFixed(Pose2 matched, double[] after, boolean wasLost) {
     pose = matched;
     covariance = after;
     double own = tuning.mapSigma();
     double[] shown = Matrix3.plus(after, Matrix3.ofSigmas(own, own, own / NEAR_M));
-    return new Located(pose, shown, true, false);
+    return new Located(pose, shown, true, wasLost);
   }
 
   private Located onGrowing(Pose2 matched, double[] after, ScanPoints points, RangeScan scan) {
@@ -261,7 +297,8 @@ final class ScanMap {
 
   @Override
   public String toString() {
-    return matches
+    return (isLost() ? "lost on the saved map: " + relocation.why() + "; " : "")
+        + matches
         + " scans matched, "
         + unmatched
         + " not, "

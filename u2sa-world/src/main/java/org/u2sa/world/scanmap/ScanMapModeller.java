@@ -12,6 +12,7 @@ import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.RangeScan;
+import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -93,6 +94,9 @@ public final class ScanMapModeller implements Modeller {
     Pose2 step = step(plane, told, poses.first().micros());
     if (map == null) {
       begin(plane, told, vehicle.get());
+    } else if (map.isLost() && !isStartTold() && hasSigma(vehicle.get())) {
+      map.expect(told, PlanarFrame.covariance(vehicle.get()));
+      step = Pose2.ORIGIN;
     }
     ScanMap.Located located = map.locate(points, scan, step);
     if (located.isRebuilt()) {
@@ -136,7 +140,7 @@ public final class ScanMapModeller implements Modeller {
   private void begin(PlanarFrame plane, Pose2 told, StateInformation vehicle) {
     ScanMapVariables now = settings.get();
     double[] start = now.start();
-    boolean isTold = start.length > 0 && frame.frame().isLocal();
+    boolean isTold = isStartTold();
     double sigma = now.mapStartSigma();
     map =
         new ScanMap(
@@ -146,9 +150,17 @@ public final class ScanMapModeller implements Modeller {
                 ? Matrix3.ofSigmas(sigma, sigma, Math.toRadians(now.mapStartPsiSigma()))
                 : PlanarFrame.covariance(vehicle),
             saved(plane, vehicle));
-    if (saved != null) {
+    if (saved != null && !map.isLost()) {
       rebuild(plane, vehicle);
     }
+  }
+
+  private static boolean hasSigma(StateInformation vehicle) {
+    return vehicle.number(StateField.X_SIGMA).isPresent();
+  }
+
+  private boolean isStartTold() {
+    return settings.get().start().length > 0 && frame.frame().isLocal();
   }
 
   /** Key scans of MAP FILE, at their poses in this map. */

@@ -14,14 +14,14 @@ record ScanMapVariables(
             "Where the vehicle starts on the map: x and y [m] and heading [deg], such as \"0 0 90\"; published in LOCAL_NED until a state arrives. Empty: taken from the first state.")
         String mapStart,
     @Variable(unit = "m", min = 0.001, max = 100, ifAbsent = 0.05)
-        @Description("Standard deviation of the position in MAP START.")
+        @Description("Standard deviation of the position in MAP START; with MAP FILE at most 5 m.")
         double mapStartSigma,
     @Variable(unit = "deg", min = 0.01, max = 90, ifAbsent = 1)
         @Description("Standard deviation of the heading in MAP START.")
         double mapStartPsiSigma,
     @Variable(ifAbsentText = "")
         @Description(
-            "Saved map for localisation, relative to the configuration file; it is not modified. Empty: the map is built from the first scan on.")
+            "Saved map for localisation, in which the vehicle is searched for within 3 sigma of its start; relative to the configuration file; it is not modified. Empty: the map is built from the first scan on.")
         String mapFile,
     @Variable(unit = "m", min = 0, max = 100, ifAbsent = 0.05)
         @Description("Standard deviation of positions on the map of MAP FILE.")
@@ -59,7 +59,15 @@ record ScanMapVariables(
         double headingNoise) {
   /** Validates MAP START. */
   ScanMapVariables {
-    numbers(mapStart);
+    boolean isGiven = numbers(mapStart).length > 0;
+    if (isGiven && !mapFile.isEmpty() && mapStartSigma > Relocation.MAX_SIGMA_M) {
+      throw new IllegalArgumentException(
+          "MAP START SIGMA: "
+              + mapStartSigma
+              + " m is too much for a saved map: at most "
+              + Relocation.MAX_SIGMA_M
+              + " m around MAP START are searched");
+    }
   }
 
   private static double[] numbers(String text) {

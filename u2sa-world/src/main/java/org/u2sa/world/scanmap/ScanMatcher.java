@@ -1,5 +1,7 @@
 package org.u2sa.world.scanmap;
 
+import java.util.Optional;
+
 /**
  * Matches a scan to a map: a correlative search of a window (Olson, "Real-time correlative scan
  * matching", ICRA 2009), then Gauss-Newton on the point-to-line distances (Censi, "An ICP variant
@@ -17,11 +19,17 @@ final class ScanMatcher {
    */
   record Match(Pose2 pose, double[] information, double share, double score) {}
 
+  /** Distance of poses from which on they are different places [m]. */
+  static final double ELSEWHERE_M = 0.7;
+
+  /** Angle between poses from which on they are different places [rad]. */
+  static final double ELSEWHERE_RAD = 0.3;
+
   private static final double COARSE_M = 0.2;
   private static final double FINE_M = 0.1;
-  private static final double ELSEWHERE_M = 0.7;
   private static final double WIDE_M = 1.2; // larger windows are searched by branch and bound
   private static final double COARSE_RAD = 0.035;
+  private static final double COARSE_SHARE = 0.5; // of a score, between two coarse steps
   private static final double FINE_RAD = 0.0125;
   private static final int SEARCHED_POINTS = 90;
   private static final int STEPS = 15;
@@ -66,26 +74,43 @@ final class ScanMatcher {
   Pose2 searched(LocalMap map, ScanPoints scan, Pose2 guess, double windowM, double windowRad) {
     Pose2 coarse =
         windowM > WIDE_M
-            ? bounded(map, scan, guess, windowM, windowRad, null)
+            ? bounded(map, scan, guess, windowM, windowRad, null, 0.0).orElse(guess)
             : best(map, scan, guess, windowM, windowRad, COARSE_M, COARSE_RAD);
     return best(map, scan, coarse, COARSE_M, COARSE_RAD, FINE_M, FINE_RAD);
   }
 
-  /** The pose with the highest likelihood in a large window, except near another one. */
-  Pose2 elsewhere(
-      LocalMap map, ScanPoints scan, Pose2 guess, double windowM, double windowRad, Pose2 except) {
-    Pose2 coarse = bounded(map, scan, guess, windowM, windowRad, except);
-    return best(map, scan, coarse, COARSE_M, COARSE_RAD, FINE_M, FINE_RAD);
+  /**
+   * The pose with the highest likelihood in a large window, except near another one.
+   *
+   * @param least score that it must be able to have; fewer poses are compared for a higher one
+   */
+  Optional<Pose2> elsewhere(
+      LocalMap map,
+      ScanPoints scan,
+      Pose2 guess,
+      double windowM,
+      double windowRad,
+      Pose2 except,
+      double least) {
+    return bounded(map, scan, guess, windowM, windowRad, except, COARSE_SHARE * least)
+        .map(coarse -> best(map, scan, coarse, COARSE_M, COARSE_RAD, FINE_M, FINE_RAD));
   }
 
   /**
    * Best pose in a large window by branch and bound over squares of block size (Hess et al., ICRA
    * 2016).
    *
-   * @param except pose from which it must be at least ELSEWHERE_M away, or null
+   * @param except pose that it must differ from by ELSEWHERE_M or ELSEWHERE_RAD, or null
+   * @param least score that it must exceed, if it is not 0
    */
-  private static Pose2 bounded(
-      LocalMap map, ScanPoints scan, Pose2 guess, double windowM, double windowRad, Pose2 except) {
+  private static Optional<Pose2> bounded(
+      LocalMap map,
+      ScanPoints scan,
+      Pose2 guess,
+      double windowM,
+      double windowRad,
+      Pose2 except,
+      double least) {
     int turns = (int) Math.ceil(windowRad / COARSE_RAD);
     int squares = (int) Math.ceil(windowM / LocalMap.BLOCK_M);
     int every = Math.max(1, scan.count / SEARCHED_POINTS);
@@ -93,7 +118,10 @@ final class ScanMatcher {
     double[][] px = new double[2 * turns + 1][points];
     double[][] py = new double[2 * turns + 1][points];
     int side = 2 * squares;
+    long most = (long) (least * FULL * points) - 1;
     long[] order = new long[(2 * turns + 1) * side * side];
+    int count = 0;
+    map.bound();
     for (int turn = 0; turn <= 2 * turns; turn++) {
       double theta = guess.theta() + (turn - turns) * COARSE_RAD;
       double c = StrictMath.cos(theta);
@@ -105,44 +133,43 @@ final class ScanMatcher {
       for (int square = 0; square < side * side; square++) {
         double dx = (square / side - squares) * LocalMap.BLOCK_M;
         double dy = (square % side - squares) * LocalMap.BLOCK_M;
-        long sum = 0;
-        for (int p = 0; p < points; p++) {
-          sum += map.bound(px[turn][p] + dx, py[turn][p] + dy);
+        long sum = map.sum(LocalMap.BLOCK, px[turn], py[turn], dx, dy, most);
+        if (sum > most) {
+          order[count++] = -sum << 32 | turn * side * side + square;
         }
-        int number = turn * side * side + square;
-        order[number] = -sum << 32 | number;
       }
     }
-    java.util.Arrays.sort(order);
-    int fine = (int) Math.round(LocalMap.BLOCK_M / COARSE_M);
-    Pose2 best = guess;
-    long most = -1;
-    for (long each : order) {
-      if (-(each >> 32) <= most) {
-        break;
-      }
-      int number = (int) each;
+    java.util.Arrays.sort(order, 0, count);
+    Pose2 best = null;
+    for (int k = 0; k < count && -(order[k] >> 32) > most; k++) {
+      int number = (int) order[k];
       int turn = number / (side * side);
       int square = number % (side * side);
-      for (int i = 0; i < fine * fine; i++) {
-        double dx = (square / side - squares) * LocalMap.BLOCK_M + i / fine * COARSE_M;
-        double dy = (square % side - squares) * LocalMap.BLOCK_M + i % fine * COARSE_M;
+      double theta = guess.theta() + (turn - turns) * COARSE_RAD;
+      boolean isTurned =
+          except == null || Math.abs(Pose2.wrapped(theta - except.theta())) >= ELSEWHERE_RAD;
+      for (int i = 0; i < 16; i++) { // four quarters of four poses
+        double cornerX = (square / side - squares) * LocalMap.BLOCK_M + i / 8 * 2 * COARSE_M;
+        double cornerY = (square % side - squares) * LocalMap.BLOCK_M + i / 4 % 2 * 2 * COARSE_M;
+        if (i % 4 == 0
+            && map.sum(LocalMap.HALF_BLOCK, px[turn], py[turn], cornerX, cornerY, most) <= most) {
+          i += 3;
+          continue;
+        }
+        double dx = cornerX + i / 2 % 2 * COARSE_M;
+        double dy = cornerY + i % 2 * COARSE_M;
         boolean isNear =
-            except != null
+            !isTurned
                 && Math.hypot(guess.x() + dx - except.x(), guess.y() + dy - except.y())
                     < ELSEWHERE_M;
-        long sum = isNear ? -1 : 0;
-        for (int p = 0; p < points && !isNear; p++) {
-          sum += map.likelihood(px[turn][p] + dx, py[turn][p] + dy);
-        }
+        long sum = isNear ? -1 : map.sum(1, px[turn], py[turn], dx, dy, most);
         if (sum > most) {
           most = sum;
-          double theta = guess.theta() + (turn - turns) * COARSE_RAD;
           best = new Pose2(guess.x() + dx, guess.y() + dy, Pose2.wrapped(theta));
         }
       }
     }
-    return best;
+    return Optional.ofNullable(best);
   }
 
   private static Pose2 best(

@@ -21,6 +21,21 @@ final class Room {
     return room;
   }
 
+  /** A hall of 14 m by 11 m with a long table and a pillar in a corner. */
+  static Room hall() {
+    Room room = bare(14.0, 11.0);
+    room.outline(5.5, 5.0, 8.5, 5.0, 8.5, 6.0, 5.5, 6.0);
+    room.outline(12.7, 1.2, 13.3, 1.2, 13.3, 1.8, 12.7, 1.8);
+    return room;
+  }
+
+  /** A room without furniture: it looks the same turned by half a turn. */
+  static Room bare(double lengthM, double widthM) {
+    Room room = new Room();
+    room.outline(0.0, 0.0, lengthM, 0.0, lengthM, widthM, 0.0, widthM);
+    return room;
+  }
+
   /** Two parallel walls, longer than a laser reaches. */
   static Room corridor() {
     Room room = new Room();
