@@ -13,11 +13,12 @@ import org.u2sa.planning.guidance.Vehicle;
 
 /**
  * {@link Landing}: descends along a straight approach or vertically; completed when the vehicle has
- * been at rest for a while.
+ * been at rest for a while, abandoned when it lies on its side.
  */
 final class LandingState implements PlannerState {
   private static final double STILL_MPS = 0.25;
   private static final double STANDS_S = 2.0;
+  private static final double COS_ON_SIDE = 0.5; // 60 deg from upright
   private static final double LOW_M = 3.0; // height above the ground given by the goal
   private static final double SIGMAS = 2.0; // possible height error, in standard deviations
   private static final double SINKS_SHARE = 0.2; // fraction of the touch-down sink rate, in the air
@@ -98,6 +99,10 @@ final class LandingState implements PlannerState {
       sinceMicros = Long.MIN_VALUE; // it still sinks, slowly
       return plan;
     }
-    return new Plan(List.copyOf(plan.points()), Plan.Progress.COMPLETED, "stands");
+    double upright =
+        Math.cos(pursuit.state().phi().orElse(0.0)) * Math.cos(pursuit.state().theta().orElse(0.0));
+    return upright < COS_ON_SIDE
+        ? new Plan(plan.points(), Plan.Progress.ABANDONED, "given up: has tipped over")
+        : new Plan(List.copyOf(plan.points()), Plan.Progress.COMPLETED, "stands");
   }
 }

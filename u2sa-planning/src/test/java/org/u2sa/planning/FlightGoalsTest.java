@@ -40,6 +40,7 @@ class FlightGoalsTest {
   private Point velocity = Point.ORIGIN;
   private Point wind = Point.ORIGIN;
   private double heading;
+  private double roll;
   private boolean released;
   private double tooHighM; // its altitude as known
   private Optional<Sphere> tower = Optional.empty();
@@ -82,7 +83,7 @@ class FlightGoalsTest {
             .xDot(velocity.x())
             .yDot(velocity.y())
             .zDot(velocity.z())
-            .phi(0.0)
+            .phi(roll)
             .theta(0.0)
             .psi(heading)
             .fluidxDot(through.x())
@@ -290,6 +291,23 @@ class FlightGoalsTest {
     assertThat(reports()).isNotEmpty();
     assertThat(reports().get(0).completed()).isTrue();
     assertThat(Math.hypot(ned.x(), ned.y())).isLessThan(1.1);
+  }
+
+  @Test
+  void landing_tippedOver_isAbandonedWithTheReason() {
+    kit.start(PathPlanner::new);
+    roll = 2.9;
+    pursue(new Landing().z(0.0).x(0.0).y(0.0));
+
+    for (int i = 0; i < 80 && reports().isEmpty(); i++) {
+      step(0.0);
+      velocity = Point.ORIGIN; // lies on the ground
+      ned = Point.ORIGIN;
+    }
+
+    assertThat(reports()).hasSize(1);
+    assertThat(reports().get(0).abandoned()).isTrue();
+    assertThat(kit.log("PathPlanner")).anyMatch(line -> line.contains("has tipped over"));
   }
 
   /** The landing's position is above the ground: it would be climbed to. */

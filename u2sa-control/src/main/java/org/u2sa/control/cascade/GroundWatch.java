@@ -5,7 +5,8 @@ package org.u2sa.control.cascade;
  * airborne once its target is above it or it moves vertically, and as landed when the ground
  * carries weight: it is commanded to sink, its lift is reduced, and it does not gain the speed that
  * the missing lift would give it. Neither noise in the measured velocity nor wind that pushes it
- * along the ground hides this. Not thread-safe.
+ * along the ground hides this. An aircraft that lies on its side has crashed: it stays down. Not
+ * thread-safe.
  */
 final class GroundWatch {
   private static final double ABOVE_M = 0.3; // minimum height of a target that implies taking off
@@ -22,6 +23,7 @@ final class GroundWatch {
   private double missingMps;
   private double beforeMps;
   private double hinderedS; // time for which it has not sunk as wanted
+  private double liesS; // time for which it has been on its side without falling
 
   /**
    * Processes a step.
@@ -30,12 +32,20 @@ final class GroundWatch {
    * @param wantedDownMps wanted vertical speed [m/s]
    * @param downMps vertical speed [m/s]
    * @param attainedMps2 vertical acceleration that lift and gravity would give, down positive
+   * @param isOnSide whether it leans more than any flight requires
    */
   void step(
-      double toGoDownM, double wantedDownMps, double downMps, double attainedMps2, double stepS) {
+      double toGoDownM,
+      double wantedDownMps,
+      double downMps,
+      double attainedMps2,
+      boolean isOnSide,
+      double stepS) {
     double gainedMps = downMps - beforeMps;
     beforeMps = downMps;
-    if (stands && toGoDownM >= -ABOVE_M && Math.abs(downMps) <= MOVES_MPS) {
+    boolean isSteady = Math.abs(downMps) <= MOVES_MPS;
+    liesS = isOnSide && isSteady ? liesS + stepS : 0.0;
+    if (stands && (isOnSide || toGoDownM >= -ABOVE_M && isSteady)) {
       return;
     }
     if (stands) {
@@ -49,7 +59,7 @@ final class GroundWatch {
     } else {
       hinderedS += stepS;
     }
-    stands = hinderedS > SURE_S && missingMps > STANDS_MPS;
+    stands = hinderedS > SURE_S && missingMps > STANDS_MPS || liesS > SURE_S;
   }
 
   boolean stands() {
@@ -61,6 +71,7 @@ final class GroundWatch {
     stands = false;
     missingMps = 0.0;
     hinderedS = 0.0;
+    liesS = 0.0;
   }
 
   /** Called when the vehicle was disarmed. */
