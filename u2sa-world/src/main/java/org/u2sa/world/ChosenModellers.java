@@ -42,13 +42,15 @@ final class ChosenModellers {
    *     variables
    * @param files finds a file named in the configuration
    * @param saves whether files named in the configuration are written
+   * @param isFirst whether the run begins: not after a restart or swap
    */
-  ChosenModellers(Configurator configuration, Function<String, Path> files, boolean saves) {
+  ChosenModellers(
+      Configurator configuration, Function<String, Path> files, boolean saves, boolean isFirst) {
     all.put(REACTIVE, new ReactiveModeller(configuration));
     all.put(OBJECTS, new ObjectMapModeller(configuration));
     GridModeller grid = new GridModeller(configuration);
     all.put(GRID, grid);
-    all.put(SCAN_MAP, new ScanMapModeller(configuration, grid, files, saves));
+    all.put(SCAN_MAP, new ScanMapModeller(configuration, grid, files, saves, isFirst));
     all.put(LANDMARKS, new LandmarkModeller(configuration));
     all.put(EGOCENTRIC, new EgocentricModeller(configuration));
     all.put(BEARINGS, new BearingModeller(configuration));

@@ -70,7 +70,10 @@ public final class WorldModeler extends PeriodicService {
     this.context = context;
     modellers =
         new ChosenModellers(
-            this, context.configuration()::resolve, context.execution().writesNamedFiles());
+            this,
+            context.configuration()::resolve,
+            context.execution().writesNamedFiles(),
+            !context.isRestart() && !context.isSwap());
     registerPublisher(Channels.OBJECTS);
     registerPublisher(Channels.GRID);
     known = new KnownObjects(context, settings);

@@ -99,6 +99,11 @@ final class StationSession implements GroundStation {
     return isHeard;
   }
 
+  /** Bytes were lost: the rest of a packet will not arrive. */
+  void interrupted() {
+    stream.reset();
+  }
+
   /** Handles received bytes. */
   void receive(byte[] bytes, int length, long micros) {
     mission.step(micros);

@@ -15,16 +15,18 @@ import java.util.function.Supplier;
 import org.u2sa.mavlink.MavlinkStream;
 
 /**
- * Stations that connect by TCP. A station that floods is throttled; one that does not read is
- * disconnected. If all places are taken, a new station replaces the oldest connection that has sent
- * no valid packet, so silent clients and clients without the key cannot lock operators out. One that
- * begins with anything but a packet is disconnected: a page in a browser of this host can send an
- * HTTP request to any port, with packets in its body.
+ * Stations that connect by TCP. What a station sends beyond its allowance is dropped, as by UDP:
+ * left in the socket, sticks would steer after their time, and a stop would wait behind them. One
+ * that does not read is disconnected. If all places are taken, a new station replaces the oldest
+ * connection that has sent no valid packet, so silent clients and clients without the key cannot
+ * lock operators out. One that begins with anything but a packet is disconnected: a page in a
+ * browser of this host can send an HTTP request to any port, with packets in its body.
  */
 final class TcpLink implements StationLink {
   private static final int MAX_STATIONS = 16;
   private static final int CHUNK = 4096;
   private static final int CHUNKS_PER_TURN = 4;
+  private static final int DROPPED_PER_TURN = 64;
   private static final long STUCK_MICROS = 10_000_000;
 
   /** A connected station. */
@@ -113,7 +115,8 @@ final class TcpLink implements StationLink {
     int allowed = peer.session.allowance(nowMicros);
     SelectionKey key = peer.channel.keyFor(selector);
     key.interestOps(allowed >= CHUNK ? SelectionKey.OP_READ : 0);
-    for (int i = 0; i < CHUNKS_PER_TURN && peer.session.allowance(nowMicros) >= CHUNK; i++) {
+    int handled = 0;
+    for (int i = 0; i < DROPPED_PER_TURN && handled < CHUNKS_PER_TURN; i++) {
       buffer.clear();
       int length = peer.channel.read(buffer);
       if (length < 0) {
@@ -126,7 +129,12 @@ final class TcpLink implements StationLink {
         return false;
       }
       peer.began = true;
-      peer.session.receive(buffer.array(), length, nowMicros);
+      if (peer.session.allowance(nowMicros) >= CHUNK) {
+        peer.session.receive(buffer.array(), length, nowMicros);
+        handled++;
+      } else {
+        peer.session.interrupted();
+      }
     }
     return true;
   }

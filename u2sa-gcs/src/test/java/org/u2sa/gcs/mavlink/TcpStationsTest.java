@@ -20,6 +20,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.u2sa.mavlink.MavlinkSigning;
 import org.u2sa.mavlink.MavlinkStream;
@@ -160,6 +161,32 @@ class TcpStationsTest {
       }
       assertThat(handled).isBetween(500, 900 + 10 * 240 + 500); // of 20,000 sent
       assertThat(session.allowance(kit.clock.get())).isLessThan(4096);
+      socket.close();
+    }
+  }
+
+  /** As sticks for seconds in one burst: what follows must not wait behind them. */
+  @Test
+  void exchange_afterAFlood_handlesWhatComesNextAtOnce() throws IOException {
+    byte[] ask = kit.station.encode(StationPackets.requestVersion());
+    try (Selector selector = Selector.open();
+        TcpLink link = open(selector)) {
+      List<Socket> sockets = new ArrayList<>();
+      connect(link, sockets);
+      Socket socket = sockets.get(0);
+      for (int i = 0; i < 20; i++) {
+        socket.getOutputStream().write(many(ask, 300));
+        turn(link, 0.0);
+      }
+      for (int i = 0; i < 20; i++) {
+        turn(link, 0.05);
+        acknowledged(socket.getInputStream());
+      }
+
+      socket.getOutputStream().write(ask);
+      AtomicInteger handled = new AtomicInteger();
+      turnUntil(link, () -> handled.addAndGet(acknowledged(socket.getInputStream())) > 0);
+      assertThat(handled).hasValue(1);
       socket.close();
     }
   }

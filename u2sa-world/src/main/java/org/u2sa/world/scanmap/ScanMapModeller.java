@@ -45,6 +45,7 @@ public final class ScanMapModeller implements Modeller {
   private final List<StateInformation> corrections = new ArrayList<>();
   private final Function<String, Path> files;
   private final boolean saves;
+  private final boolean isFirst;
   private MapFile.Contents saved; // of MAP FILE, or null
   private MapFrame frame = MapFrame.BODY;
   private ScanMap map;
@@ -60,9 +61,16 @@ public final class ScanMapModeller implements Modeller {
    * @param grid the grid to rebuild
    * @param files resolves file names in the configuration
    * @param saves whether SAVE MAP applies
+   * @param isFirst whether the run begins, and with it the vehicle is at MAP START: not after a
+   *     restart or swap
    */
   public ScanMapModeller(
-      Configurator configuration, GridModeller grid, Function<String, Path> files, boolean saves) {
+      Configurator configuration,
+      GridModeller grid,
+      Function<String, Path> files,
+      boolean saves,
+      boolean isFirst) {
+    this.isFirst = isFirst;
     this.files = files;
     this.saves = saves;
     settings = configuration.settings(ScanMapVariables.class);
@@ -160,7 +168,7 @@ public final class ScanMapModeller implements Modeller {
   }
 
   private boolean isStartTold() {
-    return settings.get().start().length > 0 && frame.frame().isLocal();
+    return isFirst && settings.get().start().length > 0 && frame.frame().isLocal();
   }
 
   /** Key scans of MAP FILE, at their poses in this map. */
@@ -201,7 +209,7 @@ public final class ScanMapModeller implements Modeller {
 
   private void tellStart(long micros) {
     double[] start = settings.get().start();
-    if (start.length == 0) {
+    if (start.length == 0 || !isFirst) {
       return;
     }
     double sigma = settings.get().mapStartSigma();

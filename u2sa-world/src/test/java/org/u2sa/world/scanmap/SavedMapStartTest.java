@@ -36,7 +36,8 @@ class SavedMapStartTest {
   private ScanMapModeller modeller(Map<String, Object> variables) {
     XmlConfiguration configuration = XmlConfiguration.inMemory("test", variables);
     ScanMapModeller modeller =
-        new ScanMapModeller(configuration, new GridModeller(configuration), folder::resolve, true);
+        new ScanMapModeller(
+            configuration, new GridModeller(configuration), folder::resolve, true, true);
     MapFrame frame = MapFrame.of(state(START, 0.01, 0.01));
     modeller.enter(frame, new Sighting(0L, MapFrame.BODY, Optional.empty()));
     return modeller;

@@ -38,7 +38,8 @@ class ScanMapTest {
   private ScanMapModeller modeller(Map<String, Object> variables, boolean saves) {
     XmlConfiguration configuration = XmlConfiguration.inMemory("test", variables);
     ScanMapModeller modeller =
-        new ScanMapModeller(configuration, new GridModeller(configuration), folder::resolve, saves);
+        new ScanMapModeller(
+            configuration, new GridModeller(configuration), folder::resolve, saves, true);
     modeller.enter(
         MapFrame.of(state(Pose2.ORIGIN, 0L)), new Sighting(0L, MapFrame.BODY, Optional.empty()));
     return modeller;
