@@ -13,7 +13,6 @@ import org.u2sa.drivers.ioio.IoioService;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.frame.Geodetic;
-import org.u2sa.sim.world.LocalPlane;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.Waypoint;
@@ -209,8 +208,7 @@ final class SimulateCommand implements Callable<Integer>, Demo {
     LocalPlane plane = world(at, 0L).plane();
     Geodetic from = plane.origin().fromEnu(place(mission));
     RunPlan.Start there =
-        new RunPlan.Start(
-            from.longitudeDeg(), from.latitudeDeg(), at.altitudeM(), at.headingRad());
+        new RunPlan.Start(from.longitudeDeg(), from.latitudeDeg(), at.altitudeM(), at.headingRad());
     RunPlan plan = RunPlans.placed(profile().domain(), mission, there, plane);
     unplaced = mission.goals().size() - plan.waypoints().size();
     longestS = limitS(plan);
@@ -222,7 +220,9 @@ final class SimulateCommand implements Callable<Integer>, Demo {
     return limitS != null ? limitS : Demo.super.limitS(plan) + unplaced * OTHER_GOAL_S;
   }
 
-  /** East and north of a home in local axes, from their origin [m]; else the vehicle starts there. */
+  /**
+   * East and north of a home in local axes, from their origin [m]; else the vehicle starts there.
+   */
   private Point place(Mission mission) {
     Optional<Home> local =
         mission.home().filter(home -> start == null && home.referenceFrame().isLocal());
