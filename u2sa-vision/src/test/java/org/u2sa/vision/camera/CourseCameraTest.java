@@ -104,12 +104,7 @@ class CourseCameraTest {
   private CameraFrame show(long micros) {
     CameraFrame frame =
         new CameraFrame(
-            micros,
-            LANE.width(),
-            LANE.height(),
-            LANE.format(),
-            LANE.pixels(),
-            LANE.intrinsics());
+            micros, LANE.width(), LANE.height(), LANE.format(), LANE.pixels(), LANE.intrinsics());
     camera.shown = Optional.of(frame);
     kit.advance(0.1);
     return frame;
