@@ -15,6 +15,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -124,6 +125,7 @@ class SeparateProcessesTest {
     }
   }
 
+  @Tag("long")
   @Test
   void separate_onlyServiceKilled_systemGoesOnWithTheNext() throws Exception {
     Process supervisor = run(system(Lidar.class)).start();

@@ -10,10 +10,12 @@ import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** What {@code u2sa new} makes is compiled with warnings as errors, and its own tests are run. */
 class GeneratedProjectsTest {
@@ -32,10 +34,17 @@ class GeneratedProjectsTest {
   }
 
   @ParameterizedTest
-  @MethodSource("kinds")
-  void make_eachKind_compilesAndItsTestsPass(String kind) throws Exception {
+  @ValueSource(strings = {"controller", "planner", "vehicle-copter"})
+  void make_someKinds_compileAndTheirTestsPass(String kind) throws Exception {
     made.make(kind, "first-of-" + kind);
     made.build("first-of-" + kind);
+  }
+
+  @Tag("long")
+  @ParameterizedTest
+  @MethodSource("kinds")
+  void make_eachKind_compilesAndItsTestsPass(String kind) throws Exception {
+    make_someKinds_compileAndTheirTestsPass(kind);
   }
 
   @Test

@@ -166,7 +166,7 @@ class TangentGraphProperties {
   }
 
   /** Points of an arc of 6° are 84 m apart: a wall fits between them. */
-  @Property(tries = 300)
+  @Property(tries = 100)
   void shortest_wideTurnsAmongWalls_doNotPassThroughThem(@ForAll long seed) {
     Random random = new Random(seed);
     List<PlanarShape> walls = new ArrayList<>();

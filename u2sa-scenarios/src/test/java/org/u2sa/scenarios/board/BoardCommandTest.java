@@ -17,6 +17,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -58,7 +59,7 @@ class BoardCommandTest {
   }
 
   @ParameterizedTest
-  @CsvSource({UGV + ", 90", "config/vehicles/otter.xml, 0"})
+  @CsvSource(UGV + ", 90")
   @NeedsProgram("python3")
   void board_pythonClient_drivesTheVehicleAndMotorsStopWhenItEnds(String vehicle, int heading)
       throws Exception {
@@ -85,6 +86,15 @@ class BoardCommandTest {
     List<String> track = Files.readAllLines(folder.resolve("track.csv"));
     assertThat(track.get(0)).startsWith("time_s,longitude_deg,latitude_deg");
     assertThat(track).anyMatch(line -> line.endsWith(",MOVES"));
+  }
+
+  @Tag("long")
+  @ParameterizedTest
+  @CsvSource("config/vehicles/otter.xml, 0")
+  @NeedsProgram("python3")
+  void board_pythonClientOfABoat_drivesItAndMotorsStopWhenItEnds(String vehicle, int heading)
+      throws Exception {
+    board_pythonClient_drivesTheVehicleAndMotorsStopWhenItEnds(vehicle, heading);
   }
 
   @Test

@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.cli.Main;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.scenarios.ugv.OneWaypoint;
 
 class CampaignCommandTest {
   @TempDir private Path directory;
@@ -46,8 +47,8 @@ class CampaignCommandTest {
       "--sweep",
       "estimator=fusing,pass_through",
       "--",
-      "--loops",
-      "1"
+      "--mission",
+      OneWaypoint.in(directory).toString()
     };
     assertThat(campaign("two", withJobs(2, runs))).as(err + "\n" + out).isEqualTo(ExitCode.DONE);
     JsonNode two = summary("two");

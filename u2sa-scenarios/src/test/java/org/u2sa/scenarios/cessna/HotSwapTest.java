@@ -59,6 +59,7 @@ class HotSwapTest {
     assertThat(track("with")).isEqualTo(track("without"));
   }
 
+  @Tag("long")
   @Test
   void swap_forAnotherClass_sameBytesEachTime() throws IOException {
     List<String> swaps = new ArrayList<>(swap(40.0, "PathPlanner", VectorFieldPlanner.class));

@@ -57,6 +57,7 @@ class ObstructedFlightTest {
     assertThat(summary.number("violations")).isZero();
   }
 
+  @Tag("long")
   @Test
   void demo_plannerThatSeesNothing_touchesBothAndFails() throws IOException {
     CommandLineRun run =

@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -54,7 +55,7 @@ class PlainClientTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"readable", "compact"})
+  @ValueSource(strings = "readable")
   void cessna_throughTheEmbeddedBroker_isWhatThePageSays(String form)
       throws IOException, InterruptedException {
     String python = ForeignProgram.python();
@@ -77,6 +78,14 @@ class PlainClientTest {
 
     assertThat(check.waitFor(LONG.toSeconds(), TimeUnit.SECONDS)).isTrue();
     assertSeen("services: Control, FlightObserver, HealthMonitor, Launcher, MissionManager,");
+  }
+
+  @Tag("long")
+  @ParameterizedTest
+  @ValueSource(strings = "compact")
+  void cessna_throughTheEmbeddedBrokerInCompactForm_isWhatThePageSays(String form)
+      throws IOException, InterruptedException {
+    cessna_throughTheEmbeddedBroker_isWhatThePageSays(form);
   }
 
   @Test

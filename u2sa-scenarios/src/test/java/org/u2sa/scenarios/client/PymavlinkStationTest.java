@@ -3,6 +3,7 @@ package org.u2sa.scenarios.client;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -33,6 +34,7 @@ class PymavlinkStationTest {
     }
   }
 
+  @Tag("long")
   @Test
   void connect_bySerialLine_everythingIsAnsweredAndConsistent() throws Exception {
     ForeignPrograms programs = ForeignPrograms.ofThisMachine();

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.cli.command.ExitCode;
@@ -25,6 +26,7 @@ class EncounterDemoTest {
     return Files.readString(folder.resolve("encounters.txt"));
   }
 
+  @Tag("long")
   @Test
   void demo_crossingVessel_isGivenWayTo() throws IOException {
     assertThat(result("--seed", "3"))

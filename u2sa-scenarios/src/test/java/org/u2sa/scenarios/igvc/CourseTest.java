@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.assertj.core.data.Offset;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -25,7 +26,7 @@ class CourseTest {
   @TempDir private Path directory;
 
   @ParameterizedTest
-  @ValueSource(longs = {1, 2})
+  @ValueSource(longs = 2)
   void course_ofASeed_isLegalAndHasWhatTheRulesName(long seed) {
     Course course = CourseGenerator.course(seed);
     assertThat(CourseChecker.faults(course)).isEmpty();
@@ -33,6 +34,13 @@ class CourseTest {
     assertThat(course.goals()).hasSize(4);
     assertThat(course.of(Scenery.BARREL)).hasSizeGreaterThan(7);
     assertThat(course.of(Scenery.LINE)).hasSizeGreaterThan(4);
+  }
+
+  @Tag("long")
+  @ParameterizedTest
+  @ValueSource(longs = 1)
+  void course_ofAnotherSeed_isLegalAndHasWhatTheRulesName(long seed) {
+    course_ofASeed_isLegalAndHasWhatTheRulesName(seed);
   }
 
   @Test
@@ -133,7 +141,7 @@ class CourseTest {
   }
 
   @ParameterizedTest
-  @ValueSource(longs = {3001, 3002})
+  @ValueSource(longs = 3002)
   void course_withARamp_isLegalAndElseWhatItIsWithout(long seed) {
     Course without = CourseGenerator.course(seed, Ramps.NONE);
     Course with = CourseGenerator.course(seed, Ramps.ALL);
@@ -143,6 +151,13 @@ class CourseTest {
     int before = without.objects().size();
     assertThat(with.objects()).hasSize(before + 1);
     assertThat(with.objects().subList(0, before)).isEqualTo(without.objects());
+  }
+
+  @Tag("long")
+  @ParameterizedTest
+  @ValueSource(longs = 3001)
+  void course_withARampOtherSeed_isLegalAndElseWhatItIsWithout(long seed) {
+    course_withARamp_isLegalAndElseWhatItIsWithout(seed);
   }
 
   @Test

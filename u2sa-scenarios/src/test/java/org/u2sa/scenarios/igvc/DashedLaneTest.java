@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.messages.frame.Point;
@@ -59,6 +60,7 @@ class DashedLaneTest {
   }
 
   /** Around the barrels a way leads out through one gap and in through another. */
+  @Tag("long")
   @Test
   void demo_bothLinesDashedAndNoWayAhead_isNotLeftThroughAGap() {
     CourseBuilder builder = lane();

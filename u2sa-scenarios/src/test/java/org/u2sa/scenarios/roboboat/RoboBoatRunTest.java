@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.testkit.Repository;
@@ -33,6 +34,7 @@ class RoboBoatRunTest {
     return Files.readString(directory.resolve("run").resolve(file));
   }
 
+  @Tag("long")
   @Test
   void demo_course401_passesAllGatesBothWaysWithoutContact() throws IOException {
     int status = sail("--seed", "401");
@@ -65,6 +67,7 @@ class RoboBoatRunTest {
         .doesNotContain("touches dock", "touches puck", "touches wrong button");
   }
 
+  @Tag("long")
   @Test
   void demo_cameraFailsInTheChannel_givesUpAndSaysWhy() throws IOException {
     int status = sail("--seed", "401", "--change", "detector/failsAt=45");

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.testkit.Repository;
@@ -59,6 +60,7 @@ class RoboSubFailuresTest {
     assertThat(altitudeM).as("at the surface").isGreaterThan(-0.3);
   }
 
+  @Tag("long")
   @Test
   void demo_pingerFails_givesItUpAndDoesTheRest() throws IOException {
     dive("--change", "hydrophones/failsAt=1");
@@ -68,6 +70,7 @@ class RoboSubFailuresTest {
         .containsPattern("\"goalsCompleted\" : 8");
   }
 
+  @Tag("long")
   @Test
   void demo_thrusterDead_doesAllTasks() throws IOException {
     dive("--change", "vessel/thruster/forward=0.001", "--change", "vessel/thruster/reverse=0");

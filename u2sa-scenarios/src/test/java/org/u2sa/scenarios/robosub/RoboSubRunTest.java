@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.testkit.Repository;
@@ -46,6 +47,7 @@ class RoboSubRunTest {
         .containsPattern("\"worstDepthErrorMetres\" ?: ?0\\.0");
   }
 
+  @Tag("long")
   @Test
   void demo_cameraFailsAtTheStart_givesUpAndSaysWhy() throws IOException {
     int status = dive("--seed", "41", "--change", "detector/failsAt=1");

@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -62,7 +63,7 @@ class SimulateTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"rover", "boat", "copter", "wing", "elevator"})
+  @ValueSource(strings = {"rover", "wing", "elevator"})
   void simulate_ownVehicle_completesItsMissionAndRepeatsItToTheByte(String name)
       throws IOException, URISyntaxException {
     project(name);
@@ -83,8 +84,16 @@ class SimulateTest {
     assertThat(folder.resolve("one/track.svg")).exists();
   }
 
+  @Tag("long")
   @ParameterizedTest
-  @ValueSource(doubles = {10.005, 9.995})
+  @ValueSource(strings = {"boat", "copter"})
+  void simulate_ownVehicleOfMoreKinds_completesItsMissionAndRepeatsItToTheByte(String name)
+      throws IOException, URISyntaxException {
+    simulate_ownVehicle_completesItsMissionAndRepeatsItToTheByte(name);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = 10.005)
   void simulate_catapultInACrosswindAndFirstWaypointAbeam_climbsBeforeItTurns(double x)
       throws IOException, URISyntaxException {
     project("wing");
@@ -103,6 +112,14 @@ class SimulateTest {
     int altitude = List.of(track.get(0).split(",")).indexOf("altitude_m");
     assertThat(track.stream().skip(1))
         .allMatch(row -> Double.parseDouble(row.split(",")[altitude]) > 1.7);
+  }
+
+  @Tag("long")
+  @ParameterizedTest
+  @ValueSource(doubles = 9.995)
+  void simulate_catapultInACrosswindAndFirstWaypointOnTheOtherSide_climbsBeforeItTurns(double x)
+      throws IOException, URISyntaxException {
+    simulate_catapultInACrosswindAndFirstWaypointAbeam_climbsBeforeItTurns(x);
   }
 
   @Test
@@ -186,7 +203,7 @@ class SimulateTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"REACTIVE", "OBJECTS"})
+  @ValueSource(strings = "OBJECTS")
   void simulate_barrelsSeenByA3dLidarOnly_drivesAroundThemAndUnderABranch(String modeller)
       throws IOException, URISyntaxException {
     project("rover");
@@ -221,6 +238,14 @@ class SimulateTest {
     assertThat(run.exitCode()).as(run.out() + run.err()).isEqualTo(ExitCode.DONE);
     assertThat(summary.get("contacts").asInt()).isZero();
     assertThat(summary.get("waypointsCaptured").asInt()).isEqualTo(3);
+  }
+
+  @Tag("long")
+  @ParameterizedTest
+  @ValueSource(strings = "REACTIVE")
+  void simulate_barrelsSeenByA3dLidarOnlyReactive_drivesAroundThemAndUnderABranch(String modeller)
+      throws IOException, URISyntaxException {
+    simulate_barrelsSeenByA3dLidarOnly_drivesAroundThemAndUnderABranch(modeller);
   }
 
   private static String barrel(double longitudeDeg, double latitudeDeg, double middleM) {
@@ -282,7 +307,7 @@ class SimulateTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"", "-ackermann"})
+  @ValueSource(strings = "-ackermann")
   void simulate_systemFileOfTheDemo_drivesThroughTheBoardOfTheVehicleFile(String kind)
       throws IOException {
     String config = Path.of("../config/ugv").toString();
@@ -302,6 +327,14 @@ class SimulateTest {
     assertThat(summary.get("waypointsCaptured").asInt()).isEqualTo(6);
     assertThat(summary.get("fenceBreaches").asInt()).isZero();
     assertThat(summary.get("stateWithin3Sigma").asDouble()).isGreaterThan(0.98);
+  }
+
+  @Tag("long")
+  @ParameterizedTest
+  @ValueSource(strings = "")
+  void simulate_usualSystemFileOfTheDemo_drivesThroughTheBoardOfTheVehicleFile(String kind)
+      throws IOException {
+    simulate_systemFileOfTheDemo_drivesThroughTheBoardOfTheVehicleFile(kind);
   }
 
   @Test

@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -33,16 +34,22 @@ class ConditionsTest {
   }
 
   @ParameterizedTest
+  @ValueSource(strings = {"--mismatch 30 --payload 50 --surface field --seed 15"})
+  void demo_unlikeMotorsLoadsAndGround_holdsTheLine(String options) {
+    requireHeld(drive(options + " --loops 1"));
+  }
+
+  @Tag("long")
+  @ParameterizedTest
   @ValueSource(
       strings = {
         "--mismatch 30 --payload 50 --seed 11",
         "--mismatch -50 --payload 20 --seed 12",
         "--mismatch 30 --payload 50 --control proportional --seed 13",
-        "--mismatch -15 --payload 20 --hill 10 --seed 14",
-        "--mismatch 30 --payload 50 --surface field --seed 15"
+        "--mismatch -15 --payload 20 --hill 10 --seed 14"
       })
-  void demo_unlikeMotorsLoadsAndGround_holdsTheLine(String options) {
-    requireHeld(drive(options + " --loops 1"));
+  void demo_unlikeMotorsLoadsHillOrControl_holdsTheLine(String options) {
+    demo_unlikeMotorsLoadsAndGround_holdsTheLine(options);
   }
 
   @Test

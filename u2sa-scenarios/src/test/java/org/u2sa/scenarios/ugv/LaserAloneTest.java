@@ -25,7 +25,6 @@ class LaserAloneTest {
   private static final double[] SPEEDS_MPS = {0.3, 1.0, 1.5};
   private static final double ROVER_MPS = 0.95;
   private static final double TURNS_S = 2.0; // and sets off
-  private static final int LEGS = 6;
   private static final double ENOUGH_S = 600.0;
 
   @TempDir private Path directory;
@@ -55,7 +54,7 @@ class LaserAloneTest {
     return new Walkers.Walker(start, met, mps, nowS);
   }
 
-  private Walkers meet(long seed) throws InterruptedException {
+  private Walkers meet(long seed, int legs) throws InterruptedException {
     Path system = UgvDrive.config().resolve("system-world.xml");
     try (UgvDrive drive =
         new UgvDrive(
@@ -68,7 +67,7 @@ class LaserAloneTest {
       Random chance = new Random(seed);
       Point from = Point.ORIGIN;
       Geodetic origin = drive.vehicle.world().plane().at(0.0, 0.0, 0.0);
-      for (int leg = 0; leg < LEGS; leg++) {
+      for (int leg = 0; leg < legs; leg++) {
         Waypoint next = (Waypoint) mission.goals().get(leg);
         Point to = origin.enuOf(new Geodetic(next.x().getAsDouble(), next.y().getAsDouble(), 0.0));
         drive.walkers.add(walker(from, to, leg, drive.nowS(), chance));
@@ -82,14 +81,14 @@ class LaserAloneTest {
   }
 
   @Test
-  void drive_walkersOnEachLeg_drivesIntoNobodyAndCompletesTheLoop() throws Exception {
-    assertThat(meet(1).drivenInto()).isEmpty();
+  void drive_walkersOnTwoLegs_drivesIntoNobody() throws Exception {
+    assertThat(meet(1, 2).drivenInto()).isEmpty();
   }
 
   @Tag("long")
   @ParameterizedTest
-  @ValueSource(longs = {2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12})
-  void drive_walkersOnEachLegManySeeds_drivesIntoNobody(long seed) throws Exception {
-    assertThat(meet(seed).drivenInto()).isEmpty();
+  @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12})
+  void drive_walkersOnEachLeg_drivesIntoNobodyAndCompletesTheLoop(long seed) throws Exception {
+    assertThat(meet(seed, 6).drivenInto()).isEmpty();
   }
 }

@@ -139,6 +139,7 @@ class SwapWhileDrivingTest {
     }
   }
 
+  @Tag("long")
   @Test
   void swap_plannersWhileDriving_loopIsDriven() throws Exception {
     try (UgvDrive drive = start("system.xml", List.of(), "")) {

@@ -36,6 +36,7 @@ class CourseCameraTest {
   private static final double DOWN = 0.4;
   private static final MountingPose MOUNTED = new MountingPose(0.2, 0.0, -1.1, 0.0, -DOWN, 0.0);
   private static final LensCalibration LENS = LensCalibration.ofView(320, 240, 1.5);
+  private static final CameraFrame LANE = lane().picture(view(0.0, 0.0), 1);
 
   private final ServiceKit kit = new ServiceKit();
   private final ShownPicture camera = new ShownPicture();
@@ -101,15 +102,9 @@ class CourseCameraTest {
   }
 
   private CameraFrame show(long micros) {
-    CameraFrame drawn = lane().picture(view(0.0, 0.0), 1);
     CameraFrame frame =
         new CameraFrame(
-            micros,
-            drawn.width(),
-            drawn.height(),
-            drawn.format(),
-            drawn.pixels(),
-            drawn.intrinsics());
+            micros, LANE.width(), LANE.height(), LANE.format(), LANE.pixels(), LANE.intrinsics());
     camera.shown = Optional.of(frame);
     kit.advance(0.1);
     return frame;
