@@ -119,8 +119,8 @@ public final class AllocatingControl extends ControlSystem {
   private final double[] masses = new double[DegreeOfFreedom.COUNT];
   private final AxisTuner tuner = new AxisTuner(settings(AxisTuner.Order.class));
   private Allocator allocator = new Allocator(tuning.weights());
-  private Authority sound = new Authority(Map.of());
-  private Authority left = new Authority(Map.of());
+  private Authority sound = Authority.NONE;
+  private Authority left = Authority.NONE;
   private boolean lacksEssentials; // an essential axis is lost
   private long revision = -1;
   private String said = "";
@@ -329,7 +329,7 @@ public final class AllocatingControl extends ControlSystem {
 
   private void watchResponse() {
     List<DegreeOfFreedom> axes = new ArrayList<>();
-    for (DegreeOfFreedom axis : left.most().keySet()) {
+    for (DegreeOfFreedom axis : left.axes()) {
       axes.add(axis);
       masses[axis.ordinal()] = tuning.of(axis).mass();
     }

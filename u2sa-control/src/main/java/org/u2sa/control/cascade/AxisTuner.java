@@ -93,7 +93,7 @@ final class AxisTuner {
   private String begin(boolean armed, Authority authority) {
     Order now = order.get();
     axis = DegreeOfFreedom.valueOf(now.tune());
-    double most = authority.most().getOrDefault(axis, 0.0);
+    double most = authority.most(axis);
     if (!armed || !(most > 0.0)) {
       return "relay tuning of "
           + axis.name()

@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.messages.frame.Point;
 
 class AuthorityTest {
   private static final Set<DegreeOfFreedom> CONTROLLED =
@@ -27,10 +28,10 @@ class AuthorityTest {
   void most_allSixThrusters_isBoundByTheWeakerDirection() {
     // Pure yaw runs two thrusters astern: 30 N each, and the other two no harder.
     double arm = (0.16 + 0.11) * Math.sqrt(0.5);
-    assertThat(SOUND.most().get(DegreeOfFreedom.YAW)).isCloseTo(4 * 30.0 * arm, within(0.05));
-    assertThat(SOUND.most().get(DegreeOfFreedom.SURGE))
+    assertThat(SOUND.most(DegreeOfFreedom.YAW)).isCloseTo(4 * 30.0 * arm, within(0.05));
+    assertThat(SOUND.most(DegreeOfFreedom.SURGE))
         .isCloseTo(4 * 30.0 * Math.sqrt(0.5), within(0.1));
-    assertThat(SOUND.most().get(DegreeOfFreedom.HEAVE)).isCloseTo(2 * 30.0, within(0.1));
+    assertThat(SOUND.most(DegreeOfFreedom.HEAVE)).isCloseTo(2 * 30.0, within(0.1));
     assertThat(SOUND.words(SOUND)).isEmpty();
   }
 
@@ -49,6 +50,47 @@ class AuthorityTest {
   void words_allLost_nameEveryAxis() {
     assertThat(without("T1", "T2", "T3", "T4", "T5", "T6").words(SOUND))
         .isEqualTo("cannot control surge, sway, heave, roll, yaw");
+  }
+
+  /** Rotors that only lift, in a square; and thrusters of a boat that only push ahead. */
+  @Test
+  void words_actuatorsOfOneDirection_areEmptyWhileAllAreSound() {
+    Set<DegreeOfFreedom> copter =
+        EnumSet.of(
+            DegreeOfFreedom.HEAVE, DegreeOfFreedom.ROLL, DegreeOfFreedom.PITCH, DegreeOfFreedom.YAW);
+    List<Effector> rotors = new ArrayList<>();
+    for (int i = 0; i < 4; i++) {
+      double x = i < 2 ? 0.2 : -0.2;
+      double y = i % 2 == 0 ? 0.2 : -0.2;
+      double spin = x * y > 0.0 ? 0.1 : -0.1;
+      rotors.add(
+          oneWay("R" + i, Point.of(0.0, 0.0, -10.0), Point.of(-10.0 * y, 10.0 * x, spin)));
+    }
+    Authority lifts = Authority.of(rotors, copter);
+    assertThat(lifts.words(lifts)).isEmpty();
+    assertThat(Authority.of(rotors.subList(1, 4), copter).lost(lifts))
+        .contains(DegreeOfFreedom.HEAVE);
+
+    Set<DegreeOfFreedom> boat = EnumSet.of(DegreeOfFreedom.SURGE, DegreeOfFreedom.YAW);
+    List<Effector> ahead =
+        List.of(
+            oneWay("PORT", Point.of(50.0, 0.0, 0.0), Point.of(0.0, 0.0, 15.0)),
+            oneWay("STARBOARD", Point.of(50.0, 0.0, 0.0), Point.of(0.0, 0.0, -15.0)));
+    Authority drives = Authority.of(ahead, boat);
+    assertThat(drives.words(drives)).isEmpty();
+    assertThat(Authority.of(ahead.subList(0, 1), boat).lost(drives))
+        .contains(DegreeOfFreedom.YAW);
+  }
+
+  private static Effector oneWay(String name, Point force, Point moment) {
+    return Effector.ofSound(
+            new ActuatorAnnouncement()
+                .actuatorName(name)
+                .minimum(0.0)
+                .maximum(100.0)
+                .force(force)
+                .moment(moment))
+        .orElseThrow();
   }
 
   @Test
