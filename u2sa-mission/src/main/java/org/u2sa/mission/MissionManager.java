@@ -238,6 +238,7 @@ public final class MissionManager extends PeriodicService {
     if (beginsAnew) {
       resumable.atStart().ifPresent(run::progress);
     }
+    passTime(); // between two Mission Managers, too
     publishGoals();
   }
 
@@ -248,8 +249,12 @@ public final class MissionManager extends PeriodicService {
 
   private void onArming(ArmingState state) {
     passTime(); // first, under the previous conditions
+    boolean stood = limits.stands();
     if (limits.count(state.armed())) {
       publish(Channels.GOALS, goalList()); // the mission's time resumes here
+    }
+    if (limits.stands() != stood) {
+      remember();
     }
   }
 

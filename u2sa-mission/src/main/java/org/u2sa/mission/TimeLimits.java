@@ -36,6 +36,11 @@ final class TimeLimits {
     return resumes;
   }
 
+  /** Whether no time is counted, because the vehicle is disarmed. */
+  boolean stands() {
+    return stands;
+  }
+
   /**
    * Advances to the current time.
    *

@@ -163,6 +163,25 @@ class MissionLimitsTest extends ThreeWaypoints {
   }
 
   @Test
+  void restart_twiceWithinAGoalAndOnceDisarmed_countsTheArmedTime() throws IOException {
+    write(goal("a", "<timeLimit>20</timeLimit>") + goal("b", ""));
+    MissionManager first = kit.start(MissionManager::new);
+    armed(true);
+    kit.advance(6.0);
+    MissionManager second = kit.restart(first, MissionManager::new);
+    kit.advance(6.0);
+    armed(false);
+    kit.advance(30.0);
+    kit.restart(second, MissionManager::new);
+    armed(true);
+    kit.advance(7.7);
+    assertThat(current()).containsExactly("a");
+    kit.advance(0.6);
+
+    assertThat(current()).containsExactly("b");
+  }
+
+  @Test
   void restart_inTheMiddle_timeGoesOn() throws IOException {
     write(goal("a", "<timeLimit>10</timeLimit>") + goal("b", ""));
     MissionManager before = kit.start(MissionManager::new);

@@ -29,8 +29,7 @@ class AuthorityTest {
     // Pure yaw runs two thrusters astern: 30 N each, and the other two no harder.
     double arm = (0.16 + 0.11) * Math.sqrt(0.5);
     assertThat(SOUND.most(DegreeOfFreedom.YAW)).isCloseTo(4 * 30.0 * arm, within(0.05));
-    assertThat(SOUND.most(DegreeOfFreedom.SURGE))
-        .isCloseTo(4 * 30.0 * Math.sqrt(0.5), within(0.1));
+    assertThat(SOUND.most(DegreeOfFreedom.SURGE)).isCloseTo(4 * 30.0 * Math.sqrt(0.5), within(0.1));
     assertThat(SOUND.most(DegreeOfFreedom.HEAVE)).isCloseTo(2 * 30.0, within(0.1));
     assertThat(SOUND.words(SOUND)).isEmpty();
   }
@@ -57,14 +56,16 @@ class AuthorityTest {
   void words_actuatorsOfOneDirection_areEmptyWhileAllAreSound() {
     Set<DegreeOfFreedom> copter =
         EnumSet.of(
-            DegreeOfFreedom.HEAVE, DegreeOfFreedom.ROLL, DegreeOfFreedom.PITCH, DegreeOfFreedom.YAW);
+            DegreeOfFreedom.HEAVE,
+            DegreeOfFreedom.ROLL,
+            DegreeOfFreedom.PITCH,
+            DegreeOfFreedom.YAW);
     List<Effector> rotors = new ArrayList<>();
     for (int i = 0; i < 4; i++) {
       double x = i < 2 ? 0.2 : -0.2;
       double y = i % 2 == 0 ? 0.2 : -0.2;
       double spin = x * y > 0.0 ? 0.1 : -0.1;
-      rotors.add(
-          oneWay("R" + i, Point.of(0.0, 0.0, -10.0), Point.of(-10.0 * y, 10.0 * x, spin)));
+      rotors.add(oneWay("R" + i, Point.of(0.0, 0.0, -10.0), Point.of(-10.0 * y, 10.0 * x, spin)));
     }
     Authority lifts = Authority.of(rotors, copter);
     assertThat(lifts.words(lifts)).isEmpty();
@@ -78,8 +79,7 @@ class AuthorityTest {
             oneWay("STARBOARD", Point.of(50.0, 0.0, 0.0), Point.of(0.0, 0.0, -15.0)));
     Authority drives = Authority.of(ahead, boat);
     assertThat(drives.words(drives)).isEmpty();
-    assertThat(Authority.of(ahead.subList(0, 1), boat).lost(drives))
-        .contains(DegreeOfFreedom.YAW);
+    assertThat(Authority.of(ahead.subList(0, 1), boat).lost(drives)).contains(DegreeOfFreedom.YAW);
   }
 
   private static Effector oneWay(String name, Point force, Point moment) {
