@@ -205,7 +205,7 @@ final class DescriptionText {
             .toList();
     List<String> words = new ArrayList<>();
     for (DegreeOfFreedom axis : DegreeOfFreedom.values()) {
-      double most = Authority.of(effectors, Set.of(axis)).most().get(axis);
+      double most = Authority.of(effectors, Set.of(axis)).most(axis);
       if (most > MIN_STRENGTH) {
         String unit = axis.ordinal() < DegreeOfFreedom.ROLL.ordinal() ? "N" : "N m";
         words.add(String.format(Locale.ROOT, "%s %.1f %s", axis, most, unit));

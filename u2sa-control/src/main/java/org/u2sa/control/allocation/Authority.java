@@ -2,6 +2,7 @@ package org.u2sa.control.allocation;
 
 import java.util.ArrayList;
 import java.util.EnumMap;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -52,7 +53,7 @@ public record Authority(Map<DegreeOfFreedom, Reach> held, Map<DegreeOfFreedom, R
     Map<DegreeOfFreedom, Reach> free = new EnumMap<>(DegreeOfFreedom.class);
     for (DegreeOfFreedom axis : controlled) {
       held.put(axis, reach(effectors, controlled, axis));
-      free.put(axis, reach(effectors, Set.of(axis), axis));
+      free.put(axis, reach(effectors, EnumSet.of(axis), axis));
     }
     return new Authority(held, free);
   }

@@ -14,7 +14,7 @@ final class FastestRate {
   /** The product in a divided tick: accurate, also where reversing doubles the rate of friction. */
   private static final double ACCURATE = 0.5;
 
-  private static final int MOST_STEPS = 200;
+  private static final int MAX_STEPS = 200;
 
   private final double massKg;
   private final double yawInertiaKgM2;
@@ -64,7 +64,7 @@ final class FastestRate {
     double perS = Math.max(wheel + body, StrictMath.sqrt(wheelSquare + bodySquare));
     double product = perS * tickS;
     double steps = product <= STABLE ? 1.0 : Math.ceil(product / ACCURATE);
-    if (!(steps <= MOST_STEPS)) {
+    if (!(steps <= MAX_STEPS)) {
       throw new IllegalArgumentException(
           String.format(
               Locale.ROOT,
