@@ -6,6 +6,7 @@ import org.u2sa.messages.InertialMeasurement;
 import org.u2sa.messages.LandmarkSighting;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.RangeScan;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.contract.Condition;
 import org.u2sa.messages.contract.ConfigurationVariable;
 import org.u2sa.messages.contract.ConnectionLost;
@@ -261,6 +262,14 @@ final class GoldenFormat3 {
                         .max(1.25)))
             .required(List.of("resolution")));
     golden.add("GoalList-elapsed", new GoalList().elapsed(62.5));
+    golden.add("GoalList-returning", new GoalList().returning(true));
+    golden.add(
+        "ActuatorAnnouncement-withheld",
+        new ActuatorAnnouncement()
+            .actuatorName("LEFT MOTOR")
+            .minimum(-100.0)
+            .maximum(100.0)
+            .withheld(true));
     golden.add(
         "MissionReport-paused",
         new MissionReport().requestId("q2").serviceName("MissionManager").paused(true));

@@ -126,7 +126,7 @@ public final class VehicleFile {
     }
   }
 
-  /** Commands full ahead where the pattern has 0, and alternately its last two bits elsewhere. */
+  /** Commands full ahead where a bit of the pattern is 0: even actuators its last, odd the next. */
   private void command(SimulatedVehicle vehicle, int pattern) {
     for (int i = 0; i < model.actuators().size(); i++) {
       String actuator = model.actuators().get(i);
