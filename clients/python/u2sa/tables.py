@@ -157,6 +157,7 @@ MESSAGES = [
         ('fileFaults', 'texts', 'optional', None, None, None, (), 3, 1000, True),
         ('paused', 'bool', 'optional', None, None, None, (), 3, None, False),
         ('elapsed', 'float64', 'optional', None, 0.0, None, (), 3, None, False),
+        ('returning', 'bool', 'optional', None, None, None, (), 3, None, False),
     ]),
     (('ObjectDescription',), False, [
         ('systemId', 'text', 'optional', None, None, None, (), 1, 255, False),
@@ -412,6 +413,7 @@ MESSAGES = [
         ('renewal', 'float64', 'optional', None, 0.0, None, (), 3, None, False),
         ('serviceName', 'text', 'optional', None, None, None, (), 3, 255, False),
         ('commandTypes', 'texts', 'optional', None, None, None, (), 3, None, False),
+        ('withheld', 'bool', 'optional', None, None, None, (), 3, None, False),
     ]),
     (('GoalCommand',), False, [
         ('systemId', 'text', 'optional', None, None, None, (), 1, 255, False),
@@ -1852,4 +1854,6 @@ LABELS = (
     'landingStart',
     'keepIn',
     'keepOut',
+    'returning',
+    'withheld',
 )
