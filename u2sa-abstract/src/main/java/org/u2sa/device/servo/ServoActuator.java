@@ -16,6 +16,7 @@ import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.service.CommandedActuators;
 import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceContext;
+import org.u2sa.service.actuator.ActuatorDescription;
 import org.u2sa.service.ServiceRole;
 import org.u2sa.service.actuator.ActuatorOwner;
 import org.u2sa.service.handover.HandOver;
@@ -69,7 +70,19 @@ public final class ServoActuator extends PeriodicService implements ActuatorOwne
       @Variable(ifAbsentText = "NEUTRAL")
           @Description(
               "Behaviour without commands, at an emergency stop and while disarmed: NEUTRAL moves to the neutral angle, HOLD keeps the angle, as recommended for the joints of an arm.")
-          WithoutCommands withoutCommands) {}
+          WithoutCommands withoutCommands,
+      @Variable(ifAbsentText = "")
+          @Description(
+              "Force and moment on the vehicle at full command, as of a rudder: \"wrench X Y Z K M N\" along and about the forward, right and down axes, in N and N m; empty: no effect is announced.")
+          String effect,
+      @Variable(unit = "m/s", min = 0, max = 1000, ifAbsent = 0)
+          @Description(
+              "Speed through air or water at which the effect holds; it scales with speed squared. 0: independent of speed.")
+          double effectSpeed) {
+    Variables {
+      ActuatorDescription.addEffect(new ActuatorAnnouncement(), effect, 0.0); // refuses a bad one
+    }
+  }
 
   private final Variables variables;
   private final String actuatorName;
@@ -107,7 +120,7 @@ public final class ServoActuator extends PeriodicService implements ActuatorOwne
 
   @Override
   public List<ActuatorAnnouncement> actuators() {
-    return List.of(
+    ActuatorAnnouncement announcement =
         new ActuatorAnnouncement()
             .actuatorName(actuatorName)
             .subsystem(variables.subsystem())
@@ -120,7 +133,9 @@ public final class ServoActuator extends PeriodicService implements ActuatorOwne
                 String.format(
                     Locale.ROOT,
                     "turns by %.1f deg at 100 %%",
-                    Math.toDegrees(variables.travel()))));
+                    Math.toDegrees(variables.travel())));
+    return List.of(
+        ActuatorDescription.addEffect(announcement, variables.effect(), variables.effectSpeed()));
   }
 
   @Override

@@ -72,20 +72,33 @@ public record ActuatorDescription(
         .renewal(ALLOCATED_RENEWAL_S);
   }
 
-  public ActuatorAnnouncement addTo(ActuatorAnnouncement announcement) {
-    List<String> types = new ArrayList<>(announcement.commandTypes());
+  /**
+   * Writes the effect of a control surface into an announcement, for services with their own
+   * variables for it.
+   *
+   * @param effect as in {@link #effect}; empty: none
+   * @param speedMps as in {@link #effectSpeed}
+   * @throws IllegalArgumentException if the effect is malformed
+   */
+  public static ActuatorAnnouncement addEffect(
+      ActuatorAnnouncement announcement, String effect, double speedMps) {
     if (!effect.trim().isEmpty()) {
       EffectText.parse(effect).addTo(announcement);
       announcement.renewal(ALLOCATED_RENEWAL_S);
+    }
+    return speedMps > 0.0 ? announcement.referenceSpeed(speedMps) : announcement;
+  }
+
+  public ActuatorAnnouncement addTo(ActuatorAnnouncement announcement) {
+    List<String> types = new ArrayList<>(announcement.commandTypes());
+    addEffect(announcement, effect, effectSpeed);
+    if (!effect.trim().isEmpty()) {
       if (announcement.force().orElseThrow().distance() > 0.0) {
         types.add("ForceCommand");
       }
     }
     if (effectExponent != 1.0) {
       announcement.exponent(effectExponent);
-    }
-    if (effectSpeed > 0.0) {
-      announcement.referenceSpeed(effectSpeed);
     }
     if (deadband > 0.0) {
       announcement.deadband(deadband);
