@@ -141,11 +141,11 @@ final class SearchAreaState implements PlannerState {
     if (passes >= survey.get().surveyPasses()) {
       return ended(area, vehicle, Plan.Progress.ABANDONED, "given up", share);
     }
-    passes++;
     Point at = vehicle.on(plane);
     Pose pose = new Pose(at.x(), at.y(), vehicle.courseRad());
     legs.addAll(
         LaneLegs.over(area, ledger, plane, pose, flight(area, state, vehicle), survey.get()));
+    passes++;
     begin();
     String remark =
         String.format(
@@ -203,7 +203,9 @@ final class SearchAreaState implements PlannerState {
       next(vehicle);
       return straightOn(area, vehicle);
     }
-    boolean isThere = !avoidance.isOn() && guidance.hasPassed();
+    boolean isThere =
+        (avoidance.turnsOnTheSpot() && leg.isNear(at.x(), at.y()))
+            || (!avoidance.isOn() && guidance.hasPassed());
     if (!isAlong && (isThere || leg.isEntered(at.x(), at.y(), vehicle.courseRad()))) {
       isAlong = true;
       evades = false;

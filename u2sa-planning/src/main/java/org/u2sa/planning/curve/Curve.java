@@ -25,6 +25,9 @@ public record Curve(List<Piece> pieces) {
 
   /** Creates a curve from lengths in radii and directions: 1 right, 0 straight, −1 left. */
   static Curve of(double radiusM, double[] lengths, int[] senses) {
+    if (!(radiusM > 0.0)) {
+      throw new IllegalArgumentException("turn radius " + radiusM + " m: expected above 0");
+    }
     List<Piece> pieces = new ArrayList<>();
     for (int i = 0; i < lengths.length; i++) {
       if (Math.abs(lengths[i]) > 1.0e-12) {

@@ -29,7 +29,7 @@ final class LaneLayout {
    * Flight.
    *
    * @param swathM width on the ground that a lane covers, in calm air [m]
-   * @param radiusM radius of turns [m]
+   * @param radiusM radius of turns [m]; 0 if it turns in place
    * @param speedMps airspeed
    * @param windNorthMps northward velocity of the wind
    * @param windEastMps eastward velocity of the wind
@@ -64,7 +64,9 @@ final class LaneLayout {
       double course = i * Math.PI / DIRECTIONS;
       List<Lane> lanes = along(cells, flight, course);
       double metres = lanes.stream().mapToDouble(Lane::lengthM).sum();
-      double turns = (Math.PI + 1.0) * flight.radiusM() * lanes.size() / flight.speedMps();
+      // the next lane is at least a swath away
+      double turnM = Math.max((Math.PI + 1.0) * flight.radiusM(), flight.swathM());
+      double turns = turnM * lanes.size() / flight.speedMps();
       double seconds = metres * flight.secondsPerMetre(course) + turns;
       if (seconds < leastS) {
         leastS = seconds;
@@ -92,6 +94,8 @@ final class LaneLayout {
     double crab = flight.crab(courseRad);
     // a turned image shows a narrower strip
     double swath = Math.max(2.0 * half, flight.swathM() * Math.sqrt(1.0 - crab * crab));
+    // cells that touch are one lane, however tight the turns
+    double join = Math.max(3.0 * flight.radiusM(), 2.0 * half + 1e-9);
     List<Lane> lanes = new ArrayList<>();
     for (int first = 0; first < count; ) {
       int next = first;
@@ -102,7 +106,7 @@ final class LaneLayout {
       double middle = 0.5 * (low + across[order[next - 1]] + half);
       Integer[] strip = Arrays.copyOfRange(order, first, next);
       Arrays.sort(strip, Comparator.comparingDouble(i -> along[i]));
-      split(strip, along, middle, half, 3.0 * flight.radiusM(), cells, courseRad, lanes);
+      split(strip, along, middle, half, join, cells, courseRad, lanes);
       first = next;
     }
     return lanes;

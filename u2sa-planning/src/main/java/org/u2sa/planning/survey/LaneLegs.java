@@ -14,6 +14,7 @@ import org.u2sa.planning.seen.PlanningPlane;
 public final class LaneLegs {
   private static final int MAX_LANES = 120; // per pass; the rest is flown in the next one
   private static final double ACROSS_M = 10.0; // distance from its line at which a lane may begin
+  private static final double NEAR_M = 2.0; // of its entry, where a vehicle may turn in place
   private static final double TURNED_RAD = Math.toRadians(30.0); // likewise, course error
 
   private LaneLegs() {}
@@ -22,7 +23,7 @@ public final class LaneLegs {
    * How the vehicle flies.
    *
    * @param airspeedMps airspeed
-   * @param radiusM radius of turns [m]
+   * @param radiusM radius of turns [m]; 0 if it turns in place
    * @param northMps northward velocity of the wind
    * @param eastMps eastward velocity of the wind
    */
@@ -60,6 +61,11 @@ public final class LaneLegs {
           && along < 0.0
           && turn < TURNED_RAD
           && Math.abs(lane.acrossM(northM, eastM)) < ACROSS_M;
+    }
+
+    /** Whether the vehicle is at the entry, in whatever direction. */
+    public boolean isNear(double northM, double eastM) {
+      return entry().distanceM(northM, eastM) < NEAR_M;
     }
 
     public boolean isPassed(double northM, double eastM) {

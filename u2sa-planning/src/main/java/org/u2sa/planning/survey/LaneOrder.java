@@ -29,14 +29,21 @@ final class LaneOrder {
     firstM = new double[count];
     for (int to = 0; to < count; to++) {
       Pose entry = both.get(to).entry(leadInM);
-      firstM[to] = Dubins.shortest(start, entry, radiusM).lengthM();
+      firstM[to] = wayM(start, entry, radiusM);
       for (int from = 0; from < count; from++) {
         wayM[from][to] =
             from / 2 == to / 2
                 ? Double.POSITIVE_INFINITY
-                : Dubins.shortest(both.get(from).end(), entry, radiusM).lengthM();
+                : wayM(both.get(from).end(), entry, radiusM);
       }
     }
+  }
+
+  /** Without a radius, the vehicle turns in place and flies straight. */
+  private static double wayM(Pose from, Pose to, double radiusM) {
+    return radiusM > 0.0
+        ? Dubins.shortest(from, to, radiusM).lengthM()
+        : from.distanceM(to.northM(), to.eastM());
   }
 
   static List<Lane> of(List<Lane> lanes, Pose start, double radiusM, double leadInM) {

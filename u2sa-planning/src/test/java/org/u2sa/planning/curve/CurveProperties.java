@@ -1,11 +1,13 @@
 package org.u2sa.planning.curve;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import net.jqwik.api.Example;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 
@@ -90,6 +92,15 @@ class CurveProperties {
         .isCloseTo(ReedsShepp.shortest(b, a, RADIUS).lengthM(), within(1.0e-6));
     assertThat(ReedsShepp.shortest(a, b, RADIUS).lengthM())
         .isLessThanOrEqualTo(Dubins.shortest(a, b, RADIUS).lengthM() + 1.0e-6);
+  }
+
+  @Example
+  void shortest_noRadius_isRefused() {
+    Pose from = new Pose(0.0, 0.0, 0.0);
+    Pose to = new Pose(10.0, 5.0, 1.0);
+    assertThatThrownBy(() -> Dubins.shortest(from, to, 0.0)).hasMessageContaining("above 0");
+    assertThatThrownBy(() -> Dubins.shortest(from, 10.0, 5.0, 0.0)).hasMessageContaining("above 0");
+    assertThatThrownBy(() -> ReedsShepp.shortest(from, to, 0.0)).hasMessageContaining("above 0");
   }
 
   private static void assertEnds(Curve curve, Pose from, Pose to) {

@@ -75,6 +75,25 @@ class LaneLayoutTest {
     assertThat(wayM(ordered, start)).isLessThanOrEqualTo(wayM(lanes, start));
   }
 
+  @Test
+  void best_turnsInPlace_cellsThatTouchAreOneLane() {
+    LaneLayout.Flight hovers = new LaneLayout.Flight(40.0, 0.0, 22.0, 0.0, 0.0);
+    assertThat(LaneLayout.best(concave(), hovers)).hasSizeLessThanOrEqualTo(6);
+    assertThat(LaneLayout.along(concave(), hovers, 0.7)).hasSizeLessThanOrEqualTo(20);
+  }
+
+  @Test
+  void order_turnsInPlace_nearestEndsByStraightLines() {
+    List<Lane> lanes = LaneLayout.along(concave(), wind(0.0, 0.0), Math.PI / 2.0);
+    List<Lane> ordered = LaneOrder.of(lanes, new Pose(-200.0, 0.0, 0.0), 0.0, 0.0);
+    assertThat(ordered).hasSameSizeAs(lanes);
+    for (int i = 1; i < ordered.size(); i++) {
+      Pose entry = ordered.get(i).entry(0.0);
+      assertThat(ordered.get(i - 1).end().distanceM(entry.northM(), entry.eastM()))
+          .isLessThan(160.0); // across the quarter that is missing
+    }
+  }
+
   private static double wayM(List<Lane> lanes, Pose start) {
     double sum = 0.0;
     Pose from = start;
