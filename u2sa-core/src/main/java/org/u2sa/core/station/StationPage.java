@@ -20,6 +20,7 @@ public final class StationPage implements WebSite {
           "style.css",
           "icon.svg",
           "app.js",
+          "budget.js",
           "canvas.js",
           "cbor.js",
           "chart.js",

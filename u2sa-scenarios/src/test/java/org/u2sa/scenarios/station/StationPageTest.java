@@ -90,6 +90,15 @@ class StationPageTest {
                     + " return place.of('GLOBAL', -179.9999, -17).x; })")
             .asDouble();
     assertThat(acrossTheDateLineM).isBetween(21.0, 22.0);
+    String allowed = // what is only drawn must not hold up an emergency stop
+        browser
+            .evaluate(
+                "import('./budget.js').then(({Budget}) => { const budget = new Budget();"
+                    + " return [budget.allows('objects', 919000, 0), budget.allows('state', 919000, 0),"
+                    + " budget.allows('objects', 100000, 0), budget.allows('objects', 100000, 1),"
+                    + " budget.allows('objects', 100000, 400), budget.skipped].join(); })")
+            .asText();
+    assertThat(allowed).isEqualTo("false,true,true,false,true,2");
 
     browser.press("hold");
     browser.awaitText("doing", "held at");

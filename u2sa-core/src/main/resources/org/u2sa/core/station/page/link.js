@@ -1,5 +1,6 @@
 // The link to the vehicle's broker: log-in, loss and recovery, measured round trip.
 
+import {Budget} from './budget.js';
 import {decode, encode} from './cbor.js';
 import {MqttConnection} from './mqtt.js';
 import {texts} from './texts.js';
@@ -27,6 +28,7 @@ export class Link {
     this.roundTripMs = undefined;
     this.since = performance.now();
     this.unreadable = 0;
+    this.budget = new Budget();
     this.connection = null;
     this.login = null;
     this.attempts = 0;
@@ -130,6 +132,7 @@ export class Link {
   received(topic, payload, retained) {
     const [root, system, channel, ...rest] = topic.split('/');
     if (root !== 'u2sa' || payload.length === 0) return;
+    if (!this.budget.allows(channel, payload.length, performance.now())) return;
     const chain = rest.filter(level => !level.startsWith('='));
     try {
       this.events.message(system, channel, chain[chain.length - 1], decode(payload), retained);

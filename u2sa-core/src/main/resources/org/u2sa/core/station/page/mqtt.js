@@ -15,6 +15,8 @@ export class MqttConnection {
     this.waiting = new Map(); // packet ID -> resolve
     this.lastId = 0;
     this.received = new Uint8Array(0);
+    this.parts = []; // of a packet that spans several frames
+    this.missing = 0; // bytes until it is complete
     this.pingSent = 0;
     this.heardAt = performance.now();
     this.socket = new WebSocket(url, 'mqtt');
@@ -97,12 +99,12 @@ export class MqttConnection {
 
   receive(bytes) {
     this.heardAt = performance.now();
-    let data = bytes;
-    if (this.received.length > 0) {
-      data = new Uint8Array(this.received.length + bytes.length);
-      data.set(this.received);
-      data.set(bytes, this.received.length);
-    }
+    this.parts.push(bytes);
+    this.missing -= bytes.length;
+    if (this.missing > 0) return;
+    const data = joined([this.received, ...this.parts]);
+    this.parts = [];
+    this.missing = 0;
     let at = 0;
     for (;;) {
       let length = 0;
@@ -114,7 +116,11 @@ export class MqttConnection {
       }
       if (length > LONGEST_PACKET) return this.abandon();
       const start = at + 1 + digits;
-      if (digit & 0x80 || start + length > data.length) break;
+      if (digit & 0x80) break;
+      if (start + length > data.length) {
+        this.missing = start + length - data.length;
+        break;
+      }
       this.packet(data[at], data.subarray(start, start + length));
       at = start + length;
     }
@@ -154,6 +160,16 @@ export class MqttConnection {
     this.waiting.delete(id);
     if (resolve) resolve();
   }
+}
+
+function joined(parts) {
+  const all = new Uint8Array(parts.reduce((sum, part) => sum + part.length, 0));
+  let at = 0;
+  for (const part of parts) {
+    all.set(part, at);
+    at += part.length;
+  }
+  return all;
 }
 
 function text(value) {
