@@ -16,8 +16,8 @@ import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.service.CommandedActuators;
 import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceContext;
-import org.u2sa.service.actuator.ActuatorDescription;
 import org.u2sa.service.ServiceRole;
+import org.u2sa.service.actuator.ActuatorDescription;
 import org.u2sa.service.actuator.ActuatorOwner;
 import org.u2sa.service.handover.HandOver;
 

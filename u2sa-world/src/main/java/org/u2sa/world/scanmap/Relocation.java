@@ -3,6 +3,7 @@ package org.u2sa.world.scanmap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.Collectors;
 
 /**
  * Finds a lost vehicle on a saved map: anywhere within its uncertainty, but only where no other
@@ -71,7 +72,11 @@ final class Relocation {
       map = new LocalMap(reach + mapWindowM);
     }
     double near = windowM * Math.sqrt(2.0) + nearM;
-    map.build(keys.stream().filter(key -> key.pose().distance(expected) < near).toList(), expected);
+    map.build(
+        keys.stream()
+            .filter(key -> key.pose().distance(expected) < near)
+            .collect(Collectors.toList()),
+        expected);
     Optional<PlaceSearch.Place> place = places.search(map, scan, expected, windowM, windowRad);
     if (place.isEmpty() || place.get().alike().isPresent()) {
       why = place.isEmpty() ? "the scan fits nowhere" : "several places look alike";
