@@ -113,6 +113,17 @@ public final class ActuatorRoster {
         : 0.0;
   }
 
+  /** Whether a pilot's radio or an emergency stop withholds commands from an actuator. */
+  public boolean isWithheld(String actuator) {
+    Known known = actuators.get(actuator);
+    return known != null && known.announced.withheld();
+  }
+
+  /** Whether commands are withheld from any of the actuators. */
+  public boolean isWithheld() {
+    return actuators.values().stream().anyMatch(known -> known.announced.withheld());
+  }
+
   /** Command classes that an actuator accepts besides percentages. */
   public List<String> commandTypes(String actuator) {
     Known known = actuators.get(actuator);
@@ -132,7 +143,6 @@ public final class ActuatorRoster {
   private static boolean isPresent(Known known, long nowMicros) {
     double renewalS = known.announced.renewal().orElse(RENEWAL_S);
     return !known.failed
-        && !known.announced.withheld()
         && known.announced.available().orElse(ALL_PERCENT) > 0.0
         && nowMicros - known.heardMicros <= Clock.micros(MISSED * renewalS);
   }

@@ -185,7 +185,7 @@ public final class AllocatingControl extends ControlSystem {
         log("heading and velocity are known again");
       }
     }
-    boolean isReady = armed && !(tuning.leans() && waits());
+    boolean isReady = armed && !roster.isWithheld() && !(tuning.leans() && waits());
     if (isBlind || !isReady || lacksEssentials) {
       if (isReady) {
         cascade.rest();

@@ -159,9 +159,13 @@ abstract class GroundControl extends ControlSystem {
         motors().stream()
             .filter(motor -> roster.left(motor, now) == 0.0)
             .collect(Collectors.toList());
-    if (lost.isEmpty() == powerless) {
-      powerless = !lost.isEmpty();
-      log(powerless ? "lost " + String.join(", ", lost) : "all motors are available");
+    boolean isWithheld = motors().stream().anyMatch(roster::isWithheld);
+    boolean isNow = isWithheld || !lost.isEmpty();
+    if (isNow != powerless) {
+      powerless = isNow;
+      String why =
+          lost.isEmpty() ? "a radio or stop has precedence" : "lost " + String.join(", ", lost);
+      log(powerless ? why : "all motors are available");
     }
     return powerless;
   }

@@ -256,14 +256,16 @@ class AllocatingControlTest {
   }
 
   private void announceSlowThruster() {
-    kit.publish(
-        Channels.ACTUATORS,
-        new ActuatorAnnouncement()
-            .actuatorName("THRUSTER")
-            .minimum(-100.0)
-            .maximum(100.0)
-            .moment(Point.of(0.0, 0.0, 100.0))
-            .rateLimit(50.0));
+    kit.publish(Channels.ACTUATORS, slowThruster());
+  }
+
+  private static ActuatorAnnouncement slowThruster() {
+    return new ActuatorAnnouncement()
+        .actuatorName("THRUSTER")
+        .minimum(-100.0)
+        .maximum(100.0)
+        .moment(Point.of(0.0, 0.0, 100.0))
+        .rateLimit(50.0);
   }
 
   /** The vehicle lies on its heading and is turned from outside. */
@@ -281,6 +283,17 @@ class AllocatingControlTest {
               .psi(0.0)
               .psiDot(rateRadPerS));
     }
+  }
+
+  @Test
+  void control_withheldByARadio_restsLikeADisarmedOne() {
+    startSlowThruster();
+    turned(1.0, 30);
+    assertThat(kit.percent("THRUSTER")).isEqualTo(-100.0);
+
+    kit.publish(Channels.ACTUATORS, slowThruster().withheld(true));
+    turned(1.0, 1);
+    assertThat(kit.percent("THRUSTER")).isZero();
   }
 
   @Test
