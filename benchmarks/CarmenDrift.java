@@ -79,7 +79,7 @@ final class CarmenDrift {
                 "MIN SHARE", Double.parseDouble(System.getProperty("share", "0.3")),
                 "CLOSE LOOPS", Boolean.parseBoolean(System.getProperty("loops", "true"))));
     grid = new GridModeller(configuration);
-    map = new ScanMapModeller(configuration, grid, Path::of, true);
+    map = new ScanMapModeller(configuration, grid, Path::of, true, true);
   }
 
   public static void main(String[] arguments) throws IOException {
