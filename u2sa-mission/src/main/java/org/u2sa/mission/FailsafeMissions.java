@@ -105,12 +105,13 @@ final class FailsafeMissions {
   }
 
   /** Whether current goals lead home or to a landing, rather than along the mission. */
-  boolean lead(Set<String> current) {
+  boolean leadBack(Set<String> current) {
     List<String> own = MissionRun.names(run.mission().goals());
-    return !current.isEmpty() && current.stream().allMatch(uid -> !own.contains(uid) && leads(uid));
+    return !current.isEmpty()
+        && current.stream().allMatch(uid -> !own.contains(uid) && leadsBack(uid));
   }
 
-  private static boolean leads(String uid) {
+  private static boolean leadsBack(String uid) {
     return uid.equals(Home.NAME)
         || uid.startsWith(FailsafeAction.RETURN + " ")
         || uid.startsWith(FailsafeAction.LAND + " ");

@@ -433,7 +433,7 @@ public final class MissionManager extends PeriodicService {
     if (run.progress().isHeld()) {
       list.paused(true);
     }
-    if (failsafes.lead(sequence.currentNames())) {
+    if (failsafes.leadBack(sequence.currentNames())) {
       list.returning(true);
     }
     List<String> faults = files.faults();

@@ -191,6 +191,7 @@ public final class AllocatingControl extends ControlSystem {
         cascade.rest();
       } else {
         cascade.stand();
+        rememberWhetherItStands();
       }
       tuner.abort();
       response.restart();
@@ -199,6 +200,13 @@ public final class AllocatingControl extends ControlSystem {
     }
     fluidMps = motion.get().speedThroughFluidMps(state);
     drive(motion.get(), target(state, point));
+  }
+
+  private void rememberWhetherItStands() {
+    if (cascade.stands() != stood) {
+      stood = !stood;
+      remember();
+    }
   }
 
   /**
@@ -288,10 +296,7 @@ public final class AllocatingControl extends ControlSystem {
       takesOver = false;
     }
     double[] wanted = cascade.step(motion, target, stepS());
-    if (cascade.stands() != stood) {
-      stood = !stood;
-      remember();
-    }
+    rememberWhetherItStands();
     double mass = tuning.of(tuner.axis()).mass();
     tuner
         .step(isArmedBySomebody && !wentBySight, left, wanted, cascade.measured(), mass, stepS())

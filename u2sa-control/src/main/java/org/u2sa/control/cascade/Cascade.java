@@ -20,7 +20,7 @@ final class Cascade {
   private static final DegreeOfFreedom[] AXES = DegreeOfFreedom.values();
   private static final double VANE_PER_S = 0.1; // yaw rate per angle between bow and weather
   private static final double FLIES_FROM = 0.5; // minimum fraction of the weight lifted in flight
-  private static final double COS_ON_SIDE = 0.49; // just over 60 deg, the most of MAX LEAN
+  private static final double COS_ON_SIDE = 0.49; // just over 60 deg, the upper limit of MAX LEAN
   private static final double MIN_AHEAD_MPS = 0.5; // which a vehicle at rest soon reaches
   private static final int SURGE = DegreeOfFreedom.SURGE.ordinal();
   private static final int SWAY = DegreeOfFreedom.SWAY.ordinal();

@@ -122,6 +122,23 @@ class AllocatingControlTest {
     assertThat(kit.percent("ROTOR")).isPositive();
   }
 
+  @Test
+  void takeOver_multirotorRestartedAfterItWasDisarmed_stands() {
+    AllocatingControl control = startMultirotor();
+    arm(true);
+    kit.publish(Channels.STATE, falling().phi(0.0).theta(0.0)); // flies
+    kit.advance(1.0);
+    arm(false);
+    kit.publish(Channels.STATE, falling().zDot(0.0).phi(0.0).theta(0.0));
+    kit.advance(30.0);
+    arm(true);
+    kit.restart(control, AllocatingControl::new);
+    announceRotor();
+    kit.publish(Channels.STATE, falling().zDot(0.0).phi(0.0).theta(0.0));
+
+    assertThat(kit.percent("ROTOR")).isZero();
+  }
+
   /** Without navigation points it would drive off, against an error of its speed. */
   @Test
   void control_speedTooUncertainAndNoPoints_isNotBraked() {

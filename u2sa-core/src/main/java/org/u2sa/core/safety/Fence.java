@@ -114,7 +114,7 @@ final class Fence {
               + MAX_NEAR_SIDES
               + " pairs of sides of its areas cross or are within twice a margin of "
               + CauseText.metres(marginM)
-              + ", or it has too many sides to tell; expected fewer corners");
+              + ", or it has too many sides to compare them; expected fewer corners");
     }
   }
 

@@ -196,4 +196,23 @@ class SavedMapStartTest {
         .hasMessageContaining("MAP START SIGMA: 6.0 m")
         .hasMessageContaining("at most 5.0 m");
   }
+
+  /** A restarted modeller hears scans before the first state: the vehicle is elsewhere by then. */
+  @Test
+  void scan_beforeTheFirstState_tellsMapStartAtTheStartOfTheRunOnly() {
+    XmlConfiguration configuration =
+        XmlConfiguration.inMemory("test", Map.of("MAP START", "3 1 30"));
+    for (boolean isFirst : new boolean[] {true, false}) {
+      ScanMapModeller modeller =
+          new ScanMapModeller(
+              configuration, new GridModeller(configuration), folder::resolve, true, isFirst);
+      Sighting blind = new Sighting(micros, MapFrame.BODY, Optional.empty());
+      modeller.enter(MapFrame.BODY, blind);
+      RangeScan scan = Room.hall().scan(START, 20.0, 0.01, random);
+      scan.timestamp(micros);
+      modeller.scan(scan, ScanPoses.still(blind));
+
+      assertThat(modeller.corrections()).hasSize(isFirst ? 1 : 0);
+    }
+  }
 }
