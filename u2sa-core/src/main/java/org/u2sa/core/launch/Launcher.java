@@ -94,7 +94,7 @@ public final class Launcher extends EventDrivenService {
     return order.action() + " " + order.serviceName() + " " + order.className().orElse("");
   }
 
-  /** Orders take turns, so many for one service would keep those for others waiting. */
+  /** Orders are carried out one after the other: a flood of one kind would delay all others. */
   private Optional<String> tooSoon(ServiceOrder order) {
     long done = doneMicros.getOrDefault(kindOf(order), NEVER);
     double sinceS = Clock.seconds(clock().micros() - done);

@@ -148,7 +148,7 @@ class TcpStationsTest {
     try (Selector selector = Selector.open();
         TcpLink link = open(selector)) {
       List<Socket> sockets = new ArrayList<>();
-      StationSession session = connect(link, sockets);
+      connect(link, sockets);
       Socket socket = sockets.get(0);
       int handled = 0;
       for (int second = 0; second < 10; second++) {
@@ -159,7 +159,6 @@ class TcpStationsTest {
         }
       }
       assertThat(handled).isBetween(500, 900 + 10 * 240 + 500); // of 20,000 sent
-      assertThat(session.allowance(kit.clock.get())).isLessThan(4096);
       socket.close();
     }
   }
