@@ -102,6 +102,7 @@ final class FilterState {
   long fluidMicros;
   long constraintMicros;
   long movingMicros; // when the direction of motion became usable as heading
+  long slidingMicros; // since when the no-sideslip constraint is refused; 0: it is met
   long accusedMicros; // when an inertial source was found faulty; 0: never
   long resets;
   final int[] persistentSource = unassigned(PERSISTENT_SLOTS); // by slot
@@ -155,6 +156,7 @@ final class FilterState {
     fluidMicros = o.fluidMicros;
     constraintMicros = o.constraintMicros;
     movingMicros = o.movingMicros;
+    slidingMicros = o.slidingMicros;
     accusedMicros = o.accusedMicros;
     resets = o.resets;
     System.arraycopy(o.persistentSource, 0, persistentSource, 0, PERSISTENT_SLOTS);

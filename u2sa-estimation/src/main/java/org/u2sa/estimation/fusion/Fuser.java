@@ -28,6 +28,7 @@ final class Fuser {
   private final SourceJudge judge;
   private final SpeedDoubt doubts;
   private final RefusedScatter scatter;
+  private final InertialContradiction contradiction;
   private final QuantityStart starts;
   private final PersistentErrors persistent;
   private final DelayErrors delays;
@@ -46,6 +47,7 @@ final class Fuser {
     judge = new SourceJudge(tuning, trust);
     doubts = new SpeedDoubt(trust);
     scatter = new RefusedScatter(tuning);
+    contradiction = new InertialContradiction(tuning, trust);
     starts = new QuantityStart(tuning);
     persistent = new PersistentErrors(tuning);
     delays = new DelayErrors(tuning);
@@ -164,6 +166,11 @@ final class Fuser {
     }
     if (nis > gates[linear.rows]) {
       boolean mustGiveWay = judge.gated(s, linear, source, quantity, at);
+      if (InertialContradiction.isOfMotion(quantity) && contradiction.isShown(s)) {
+        contradiction.reopen(s);
+        contradiction.admit(s);
+        return;
+      }
       boolean isAlone = !judge.isCorroborated(s, source, quantity);
       boolean isJump = false;
       double wanderRate = persistent.wanderRate(s, slot);
@@ -183,6 +190,9 @@ final class Fuser {
       if (mustGiveWay && isJump) {
         PersistentErrors.jumped(s, linear, slot, at);
       } else if (mustGiveWay) {
+        if (s.isStrapdown && InertialContradiction.isOfMotion(quantity)) {
+          contradiction.reopen(s);
+        }
         starts.reset(s, m, quantity, at, slot);
         DelayErrors.share(s, delay);
       }
@@ -339,6 +349,9 @@ final class Fuser {
       model.noSlip(s, tuning.sideSlipSigma(), !isGround, isGround);
       if (update.prepare(s, linear, 1.0) <= gates[linear.rows]) {
         update.apply(s, linear);
+        s.slidingMicros = 0;
+      } else if (s.slidingMicros == 0) {
+        s.slidingMicros = s.micros;
       }
     }
   }

@@ -1,0 +1,103 @@
+package org.u2sa.estimation.fusion;
+
+import org.u2sa.estimation.measurement.SensedQuantity;
+
+/**
+ * Recovers from a tilt that was learned from a wrong position or speed. An inertial velocity drifts
+ * with the tilt's error, so correcting only the velocity does not help: until the tilt and the
+ * force bias may change again, the velocity runs away from every other source.
+ */
+final class InertialContradiction {
+  private static final double SINCE_S = 0.5; // minimum duration of a contradiction
+  private static final int MIN_SOURCES = 2; // one may be wrong itself
+  private static final int MIN_STREAK = 3;
+  private static final double MISLED_RAD = 0.3;
+
+  private final FilterTuning tuning;
+  private final SourceTrust trust;
+
+  InertialContradiction(FilterTuning tuning, SourceTrust trust) {
+    this.tuning = tuning;
+    this.trust = trust;
+  }
+
+  /**
+   * Whether several sources of position or speed, or one and the wheels' grip, have begun to
+   * contradict an inertial estimate within the reset time. One that has contradicted it for longer
+   * is itself wrong.
+   */
+  boolean isShown(FilterState s) {
+    boolean slides = s.slidingMicros > 0 && isRecent(s, s.slidingMicros);
+    int contradicting = slides && tuning.domain() == MotionDomain.GROUND ? 1 : 0;
+    for (int source = 0; s.isStrapdown && source < trust.sources(); source++) {
+      contradicting += contradicts(s, source) ? 1 : 0;
+    }
+    return contradicting >= MIN_SOURCES;
+  }
+
+  private boolean contradicts(FilterState s, int source) {
+    for (int q = 0; q < SensedQuantity.count(); q++) {
+      SensedQuantity quantity = SensedQuantity.at(q);
+      if (isOfMotion(quantity) && trust.isKnown(source, quantity)) {
+        int at = trust.of(s, source, quantity);
+        boolean isRecent = isRecent(s, s.trust[at + SourceTrust.STREAK_SINCE]);
+        if (isRecent && s.trust[at + SourceTrust.STREAK] >= MIN_STREAK) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  private boolean isRecent(FilterState s, double sinceMicros) {
+    double seconds = (s.micros - sinceMicros) * 1e-6;
+    return seconds >= SINCE_S && seconds <= tuning.resetAfterS();
+  }
+
+  static boolean isOfMotion(SensedQuantity quantity) {
+    return SpeedDoubt.isOfPosition(quantity) || SpeedDoubt.isOfSpeed(quantity);
+  }
+
+  /**
+   * Returns velocity, tilt, force bias and wheel scale to their initial uncertainty. Vehicles other
+   * than aircraft are levelled again by their specific force, which does not show an aircraft's
+   * bank.
+   */
+  void reopen(FilterState s) {
+    double speed = tuning.domain().speedSigmaMps;
+    for (int i = 0; i < 3; i++) {
+      s.isolate(FilterState.VELOCITY + i, speed * speed);
+      s.x[FilterState.BF + i] = 0.0;
+      s.isolate(FilterState.FORCE_BIAS + i, tuning.forceBiasSigma() * tuning.forceBiasSigma());
+      s.x[FilterState.LEVELLING + i] = 0.0;
+    }
+    Alignment.wheelScale(s, tuning);
+    s.x[FilterState.LEVELLED] = 0.0;
+    s.hasTilt = tuning.domain() == MotionDomain.AIR;
+    s.isStrapdown = s.hasTilt;
+    for (int i = 0; i < 2 && s.hasTilt; i++) {
+      s.isolate(FilterState.ATTITUDE + i, MISLED_RAD * MISLED_RAD);
+    }
+  }
+
+  /** Admits the positions that contradict the estimate, and ends all contradictions. */
+  void admit(FilterState s) {
+    for (int source = 0; source < trust.sources(); source++) {
+      for (int q = 0; q < SensedQuantity.count(); q++) {
+        SensedQuantity quantity = SensedQuantity.at(q);
+        if (isOfMotion(quantity) && trust.isKnown(source, quantity)) {
+          int at = trust.of(s, source, quantity);
+          for (int i = 0; i < 2 && SpeedDoubt.isOfPosition(quantity); i++) {
+            double apart = s.trust[at + SourceTrust.STREAK_NEWEST + i];
+            s.p.data[(FilterState.POSITION + i) * (FilterState.N + 1)] +=
+                s.trust[at + SourceTrust.STREAK] > 0.0 ? apart * apart : 0.0;
+          }
+          s.trust[at + SourceTrust.STREAK] = 0.0;
+          s.trust[at + SourceTrust.IS_BIASED] = 0.0;
+        }
+      }
+    }
+    s.slidingMicros = 0;
+    s.resets++;
+  }
+}
