@@ -83,9 +83,13 @@ final class AirbornePhases {
               / state.trueOverCalibrated();
       holdAltitudeM = altitudeDemandM;
     }
-    launch.see(state, guidance.leastSpeedMps(0.0));
+    launch.see(state, guidance.leastSpeedMps(0.0), altitudeDemandM);
     if (launch.isUnderWay()) {
       energy.levelOff();
+      altitudeDemandM = Math.max(altitudeDemandM, launch.topM());
+      if (target.isEmpty()) {
+        holdAltitudeM = altitudeDemandM;
+      }
     }
     return surfaces(
         state,
@@ -177,34 +181,47 @@ final class AirbornePhases {
 
   /**
    * First climb of an aeroplane that is launched by hand or catapult: until it is clear of the
-   * ground, height comes before speed, and bank is limited. Its launcher is where it was last seen
-   * at rest; one first seen in flight is clear.
+   * ground, height comes before speed, and bank is limited. It ends 20 m above the launcher, or
+   * below a demanded altitude that is lower; before it descends below the launcher, such as from a
+   * hill, it climbs all the same. Its launcher is where it was last seen at rest; one first seen in
+   * flight is clear.
    */
   static final class LaunchClimb {
     private static final double AT_REST_MPS = 2.0; // over ground
     private static final double CLEAR_M = 20.0; // above the launcher
+    private static final double LOW_M = 5.0; // minimum height of a demanded altitude to end at
+    private static final double SHARE_OF_DEMAND = 0.8; // the demand itself is approached slowly
     private static final double BANK_AT_LAUNCHER_RAD = Math.toRadians(5.0);
 
     private double launcherM; // altitude
+    private double clearM = CLEAR_M; // above the launcher
     private double share = 1.0; // of the climb
 
     /**
      * @param stallMps calibrated airspeed below which it does not fly
+     * @param demandM demanded altitude
      */
-    void see(FlightState state, double stallMps) {
+    void see(FlightState state, double stallMps, double demandM) {
       boolean atRest =
           state.groundSpeedMps() < AT_REST_MPS && state.calibratedAirspeedMps() < stallMps;
       if (atRest) {
         launcherM = state.altitudeM();
       }
       if (atRest || isUnderWay()) {
-        share = Limit.within(0.0, (state.altitudeM() - launcherM) / CLEAR_M, 1.0);
+        double aboveM = demandM - launcherM;
+        clearM = aboveM < LOW_M ? CLEAR_M : Math.min(CLEAR_M, SHARE_OF_DEMAND * aboveM);
+        share = Limit.within(0.0, (state.altitudeM() - launcherM) / clearM, 1.0);
       }
     }
 
     /** Whether the aeroplane waits on its launcher or is not clear of the ground yet. */
     boolean isUnderWay() {
       return share < 1.0;
+    }
+
+    /** Minimum altitude to demand until it is clear [m]. */
+    double topM() {
+      return launcherM + clearM / SHARE_OF_DEMAND;
     }
 
     /**

@@ -113,7 +113,7 @@ public final class CessnaControl extends ControlSystem {
     Optional<GuidanceTarget> target =
         point.filter(CessnaControl::leads).flatMap(navigation -> target(navigation, now));
     lookAtSurfaces();
-    boolean mayMove = mayMove(now);
+    boolean mayMove = mayMove(now, target.isPresent());
     if (!mayMove && (loggedPhase == FlightPhase.CRUISE || loggedPhase == FlightPhase.HOLD)) {
       autopilot = new Autopilot(tuning.get()); // on a launcher its integrals would wind up
     }
@@ -152,15 +152,18 @@ public final class CessnaControl extends ControlSystem {
   }
 
   /**
-   * Whether it moves or may begin to: armed, READY TIME after its first state, within which a
-   * Safety Manager tells that it is not.
+   * Whether it moves or may begin to: armed, with navigation, READY TIME after its first state,
+   * within which a Safety Manager tells that it is not armed. Without navigation, one that is armed
+   * and as fast as it must be to fly may be in flight against the wind.
    */
-  private boolean mayMove(FlightState now) {
+  private boolean mayMove(FlightState now, boolean navigates) {
     if (Double.isNaN(firstS)) {
       firstS = now.timeS();
     }
     boolean isReady = now.timeS() - firstS >= tuning.get().takeOff().readyTime();
-    return now.groundSpeedMps() > AT_REST_MPS || (isArmed && isReady);
+    double flyingMps = tuning.get().guidance().leastSpeedMps(0.0);
+    boolean isLed = navigates || now.calibratedAirspeedMps() >= flyingMps;
+    return now.groundSpeedMps() > AT_REST_MPS || (isArmed && isReady && isLed);
   }
 
   private void lookAtSurfaces() {

@@ -204,6 +204,30 @@ class CessnaControlTest {
   }
 
   @Test
+  void callback_onTheCatapultWithoutNavigation_keepsTheThrottleClosed() {
+    kit.start(CessnaControl::new);
+    AircraftState onTheCatapult = standing();
+    onTheCatapult.heightAboveGround(300.0).weightOnWheels(false); // as without sensors of height
+    for (int i = 0; i < 60; i++) {
+      state(onTheCatapult);
+      assertThat(kit.percent("THROTTLE")).isZero();
+    }
+    fly(onTheCatapult, Point.of(300.0, 0.0, -40.0), 3);
+    assertThat(kit.percent("THROTTLE")).isGreaterThan(20.0);
+  }
+
+  @Test
+  void callback_standsInTheAirAgainstTheWindWithoutNavigation_fliesOn() {
+    kit.start(CessnaControl::new);
+    AircraftState againstTheWind = flying();
+    againstTheWind.xDot(0.5);
+    for (int i = 0; i < 60; i++) {
+      state(againstTheWind);
+    }
+    assertThat(kit.percent("THROTTLE")).isGreaterThan(20.0);
+  }
+
+  @Test
   void callback_pointWithSpeed0WhileItRuns_brakesAtOnce() {
     kit.start(CessnaControl::new);
     fly(standing(), Point.of(300.0, 0.0, -100.0), 150);

@@ -14,9 +14,33 @@ class LaunchClimbTest {
 
   private final AirbornePhases.LaunchClimb climb = new AirbornePhases.LaunchClimb();
 
+  private double demandM = 360.0;
+
   private double limitRad(double speedMps, double altitudeM) {
-    climb.see(States.level().speed(speedMps).altitude(altitudeM).now(), STALL_MPS);
+    climb.see(States.level().speed(speedMps).altitude(altitudeM).now(), STALL_MPS, demandM);
     return climb.bankLimitRad(USUAL_RAD);
+  }
+
+  @Test
+  void isUnderWay_lowMission_endsBelowItsAltitude() {
+    demandM = 310.0;
+    limitRad(0.0, 300.0);
+    assertThat(climb.topM()).isLessThanOrEqualTo(310.0);
+    limitRad(15.0, 307.0);
+    assertThat(climb.isUnderWay()).isTrue();
+    limitRad(15.0, 308.0);
+    assertThat(climb.isUnderWay()).isFalse();
+  }
+
+  @Test
+  void isUnderWay_missionBelowTheLauncher_climbsAndEnds() {
+    demandM = 250.0;
+    limitRad(0.0, 300.0);
+    assertThat(climb.topM()).isGreaterThan(320.0);
+    limitRad(15.0, 319.0);
+    assertThat(climb.isUnderWay()).isTrue();
+    limitRad(15.0, 320.0);
+    assertThat(climb.isUnderWay()).isFalse();
   }
 
   @Test
@@ -38,7 +62,7 @@ class LaunchClimbTest {
 
   @Test
   void bankLimitRad_standsOverGroundInTheWind_isUsual() {
-    climb.see(States.level().speed(15.0).ground(0.0, 1.0).now(), STALL_MPS);
+    climb.see(States.level().speed(15.0).ground(0.0, 1.0).now(), STALL_MPS, demandM);
 
     assertThat(climb.bankLimitRad(USUAL_RAD)).isEqualTo(USUAL_RAD);
   }
@@ -53,7 +77,7 @@ class LaunchClimbTest {
     successor.transfer(Transfer.restoring(state));
 
     assertThat(successor.bankLimitRad(USUAL_RAD)).isEqualTo(before);
-    successor.see(States.level().speed(15.0).altitude(320.0).now(), STALL_MPS);
+    successor.see(States.level().speed(15.0).altitude(320.0).now(), STALL_MPS, demandM);
     assertThat(successor.isUnderWay()).isFalse();
   }
 }
