@@ -140,6 +140,11 @@ public final class Pid {
     return integral;
   }
 
+  /** Changes the integral by a part of the disturbance that is known to have changed. */
+  public void disturb(double change) {
+    integral += gains.gain > 0.0 && gains.integralS > 0.0 ? change : 0.0;
+  }
+
   /** Resets all states. */
   public void reset() {
     integral = 0.0;

@@ -37,6 +37,7 @@ final class Cascade {
   private boolean turnsFirst; // turn first, without moving sideways
   private final Lean lean = new Lean(); // level unless the vehicle leans
   private final GroundWatch ground = new GroundWatch();
+  private final SteadyPush push = new SteadyPush();
   private final DriftFilter drift = new DriftFilter();
   private Attitude attitude = new Attitude(0.0, 0.0, 0.0); // of the last step
 
@@ -58,6 +59,9 @@ final class Cascade {
 
   /** Computes the wanted wrench: X, Y, Z [N], K, M, N [N m]; valid until the next call. */
   double[] step(BodyMotion motion, MotionTarget target, double stepS) {
+    if (!settings.leans()) {
+      push.turn(pids[SURGE], pids[SWAY], motion.attitude().psi(), stepS);
+    }
     drift.step(motion.attitude().psi(), motion.levelVelocity().y(), motion.rates().z(), stepS);
     weatherVane(target, stepS);
     aim(motion, target);
@@ -237,6 +241,7 @@ final class Cascade {
 
   /** Resets integrals and heading, because the actuators do not obey. */
   void rest() {
+    push.rest();
     for (Pid pid : pids) {
       pid.reset();
     }
