@@ -61,7 +61,8 @@ final class FilterState {
   static final int PERSISTENT_VARIANCE = PERSISTENT_ERRORS + PERSISTENT_STATES; // by slot
   static final int DELAYS = PERSISTENT_VARIANCE + PERSISTENT_SLOTS; // s, by slot
   static final int STEADY_V = DELAYS + DELAY_SLOTS; // velocity before a change: north, east [m/s]
-  private static final int SIZE = STEADY_V + 2;
+  static final int SLOPE = STEADY_V + 2; // sine of the pitch to which the wheel scale belongs
+  private static final int SIZE = SLOPE + 1;
 
   private static final double A = 6_378_137.0; // semi-major axis [m], WGS-84 (NIMA TR8350.2)
   private static final double E2 = 6.694379990141316e-3; // first eccentricity squared

@@ -29,6 +29,7 @@ final class Fuser {
   private final SpeedDoubt doubts;
   private final RefusedScatter scatter;
   private final InertialContradiction contradiction;
+  private final SlopeSlip slopes;
   private final QuantityStart starts;
   private final PersistentErrors persistent;
   private final DelayErrors delays;
@@ -48,6 +49,7 @@ final class Fuser {
     doubts = new SpeedDoubt(trust);
     scatter = new RefusedScatter(tuning);
     contradiction = new InertialContradiction(tuning, trust);
+    slopes = new SlopeSlip(tuning);
     starts = new QuantityStart(tuning);
     persistent = new PersistentErrors(tuning);
     delays = new DelayErrors(tuning);
@@ -130,9 +132,13 @@ final class Fuser {
         quantity == SensedQuantity.BODY_VELOCITY && m.has(SensedQuantity.BODY_VELOCITY, 0);
     if (isForward) {
       HeadingSearch.speed(s, m);
+      slopes.alongTheWay(s);
     }
     if (!isReadable || !model.look(s, m, quantity) || linear.rows == 0) {
       return;
+    }
+    if (quantity == SensedQuantity.BODY_VELOCITY) {
+      slopes.widen(s, m, linear, s.trust[trust.of(s, source) + SourceTrust.INTERVAL]);
     }
     if (quantity == SensedQuantity.SPECIFIC_FORCE) {
       double repeats = repeats(FilterTuning.ACCELERATION_MEMORY_S, s.x[FilterState.INPUT_INTERVAL]);
@@ -347,6 +353,7 @@ final class Fuser {
     if (isGround && InertialInput.isAided(s, SPEED_FRESH_S) || isInFlow) {
       s.constraintMicros = s.micros;
       model.noSlip(s, tuning.sideSlipSigma(), !isGround, isGround);
+      linear.variance[0] += slopes.acrossVariance(s, tuning.constraintS());
       if (update.prepare(s, linear, 1.0) <= gates[linear.rows]) {
         update.apply(s, linear);
         s.slidingMicros = 0;

@@ -1,0 +1,80 @@
+package org.u2sa.estimation.fusion;
+
+import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.measurement.SensedQuantity;
+
+/**
+ * Slip of wheels on a slope: a tyre passes on the weight along the slope only while it creeps, by
+ * the weight's share over the tyre's stiffness of 3 to 10 per unit of load (brush model, Pacejka
+ * 2012, section 3.2). Along the way, the creep changes the wheel scale; across it, the vehicle does
+ * not move where its wheels point. Both last as long as the slope.
+ */
+final class SlopeSlip {
+  private static final double CREEP = 0.3; // of the speed, per sine of the slope, 1 sigma
+  private static final double LEVEL = 0.05; // sine of a slope that counts as level
+  private static final double LASTS_S = 1.0; // correlation time across the way and in turns
+  private static final double ARM_M = 1.0; // from the centre of a turn to wheels that skid
+
+  private final FilterTuning tuning;
+  private final double[] r = new double[9];
+
+  SlopeSlip(FilterTuning tuning) {
+    this.tuning = tuning;
+  }
+
+  private boolean isUsed(FilterState s) {
+    return tuning.domain() == MotionDomain.GROUND && s.hasTilt;
+  }
+
+  /** Widens the wheel scale if the slope along the way has changed. */
+  void alongTheWay(FilterState s) {
+    if (!isUsed(s) || s.variance(FilterState.SCALE) == 0.0) {
+      return;
+    }
+    Quaternions.matrix(s.x, FilterState.Q, r);
+    double change = -r[6] - s.x[FilterState.SLOPE];
+    if (Math.abs(change) > LEVEL / 2.0) {
+      s.x[FilterState.SLOPE] += change;
+      s.p.data[FilterState.SCALE * (FilterState.N + 1)] += CREEP * CREEP * change * change;
+    }
+  }
+
+  /**
+   * Variance to add to that of a sideways speed of zero [m²/s²]; 0 on level ground.
+   *
+   * @param intervalS time between such measurements [s]
+   */
+  double acrossVariance(FilterState s, double intervalS) {
+    if (!isUsed(s)) {
+      return 0.0;
+    }
+    Quaternions.matrix(s.x, FilterState.Q, r);
+    double speed = Math.hypot(s.x[FilterState.V], s.x[FilterState.V + 1]);
+    return variance(r[7], speed + skidMps(s), intervalS);
+  }
+
+  /** Speed at which wheels skid in a turn: unlike rolling ones, they slide in any direction. */
+  private static double skidMps(FilterState s) {
+    return ARM_M * Math.abs(s.x[FilterState.W + 2]);
+  }
+
+  private static double variance(double slope, double speedMps, double intervalS) {
+    if (Math.abs(slope) < LEVEL) {
+      return 0.0;
+    }
+    double sigma = CREEP * slope * speedMps;
+    return sigma * sigma * (1.0 + 2.0 * LASTS_S / Math.max(1e-3, intervalS));
+  }
+
+  /** Adds variances to a measured speed along the vehicle's axes. */
+  void widen(FilterState s, Measurement m, Linearization linear, double intervalS) {
+    double across = acrossVariance(s, intervalS);
+    int row = 0;
+    if (m.has(SensedQuantity.BODY_VELOCITY, 0)) {
+      linear.variance[row++] += isUsed(s) ? variance(r[6], skidMps(s), intervalS) : 0.0;
+    }
+    if (m.has(SensedQuantity.BODY_VELOCITY, 1)) {
+      linear.variance[row] += across;
+    }
+  }
+}
