@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.FutureTask;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.zip.ZipEntry;
@@ -142,9 +143,10 @@ class ApkTest {
     assertThat(read.output()).contains(OwnServiceJar.DESCRIPTOR);
     assertThat(methods(read.output())).isEqualTo(methodsSaid(built.output()));
 
-    assertThat(apk("--no-build", "--with", jar, "--out", two.toString()).exit()).isZero();
-    assertThat(Files.mismatch(one, two)).as("first byte that differs").isEqualTo(-1);
-
+    // Meanwhile: the translation back leaves a core idle most of the time.
+    FutureTask<Ended> again =
+        new FutureTask<>(() -> apk("--no-build", "--with", jar, "--out", two.toString()));
+    new Thread(again, "apk").start();
     Ended proven =
         run(
             null,
@@ -152,6 +154,8 @@ class ApkTest {
     assertThat(proven.exit()).as(proven.output()).isZero();
     assertThat(proven.output())
         .contains("cessna, seed 1: same track.csv", "ugv, seed 1: same track.csv");
+    assertThat(again.get().exit()).isZero();
+    assertThat(Files.mismatch(one, two)).as("first byte that differs").isEqualTo(-1);
 
     Ended fat = apk("--no-build", "--with", jar, "--with", OwnServiceJar.fat(folder));
     assertThat(fat.exit()).isEqualTo(BAD_INPUT);

@@ -111,35 +111,6 @@ class SafetyCommandsTest {
   }
 
   @Test
-  void orders_toASystemThatIsNotThere_failAndNameTheNearest() {
-    assertThat(run(foreign.broker(), "baot", new EmergencyStopCommand(), "--timeout", "10"))
-        .isEqualTo(ExitCode.FAILED);
-    assertThat(out.toString())
-        .contains("baot: Emergency stop was sent, but NOT CONFIRMED")
-        .contains("no service of system \"baot\" is heard")
-        .contains("did you mean \"boat\"?");
-    out.getBuffer().setLength(0);
-    assertThat(run(foreign.broker(), "baot", new ArmingCommand.Arm(), "--timeout", "10"))
-        .isEqualTo(ExitCode.FAILED);
-    assertThat(out.toString())
-        .contains("no Safety Manager answered")
-        .contains("did you mean \"boat\"?");
-  }
-
-  @Test
-  void estop_partOfTheVehicleDoesNotObey_failsAndSaysWhich(@TempDir Path other) {
-    try (ForeignSystem ship =
-        ForeignSystem.start(
-            other, "ship", ObedientMotor.class.getName(), DeafWinch.class.getName())) {
-      assertThat(run(ship.broker(), "ship", new EmergencyStopCommand(), "--timeout", "10"))
-          .isEqualTo(ExitCode.FAILED);
-      assertThat(out.toString())
-          .contains("ship: Emergency stop was sent, but NOT CONFIRMED by all; confirmed by Motor")
-          .contains("Winch is not stopped");
-    }
-  }
-
-  @Test
   void estop_oneOfSeveralBrokersDoesNotAnswer_stopsTheOthersAndFails() {
     LocalSystems.Announcement hung =
         LocalSystems.ofAccount()
@@ -207,15 +178,5 @@ class SafetyCommandsTest {
   void operator_forAWhile_showsArmingAndFailsafe() {
     assertThat(run(new OperatorCommand(), "--for", "1.5")).isEqualTo(ExitCode.DONE);
     assertThat(out.toString()).contains("arming: not armed: [", "failsafe: ");
-  }
-
-  @Test
-  void operator_ofASystemThatIsNotThere_failsAndNamesTheNearest() {
-    assertThat(
-            run(foreign.broker(), "baot", new OperatorCommand(), "--for", "1", "--timeout", "10"))
-        .isEqualTo(ExitCode.FAILED);
-    assertThat(out.toString())
-        .contains("baot: no Safety Manager answers")
-        .contains("did you mean \"boat\"?");
   }
 }

@@ -4,6 +4,9 @@ import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.u2sa.core.communication.BrokerTraffic.soon;
 
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadInfo;
+import java.lang.management.ThreadMXBean;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.nio.file.Path;
@@ -11,7 +14,10 @@ import java.security.SecureRandom;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -40,10 +46,14 @@ class AuthenticatorTest {
   @BeforeEach
   void start() {
     PasswordHash hash = PasswordHash.of(RIGHT.toCharArray(), new SecureRandom(), 1_000);
-    Path file = folder.resolve("users.txt");
     UserFile.write(
-        file, List.of(new User("pilot", EnumSet.of(AccessRole.OPERATOR), List.of("*"), hash)));
-    desk = new Authenticator(new Users(file, line -> {}), new SystemClock(), troubles::add);
+        folder.resolve("users.txt"),
+        List.of(new User("pilot", EnumSet.of(AccessRole.OPERATOR), List.of("*"), hash)));
+    desk = new Authenticator(users(), new SystemClock(), troubles::add);
+  }
+
+  private Users users() {
+    return new Users(folder.resolve("users.txt"), line -> {});
   }
 
   @AfterEach
@@ -125,6 +135,34 @@ class AuthenticatorTest {
     check("nobody", "guess", 1);
     assertThat(verdicts.get(1))
         .isEqualTo(LoginApplication.Verdict.later("too soon after a wrong password"));
+  }
+
+  @Test
+  void check_processHasHashedBefore_takesThePasswordsOwnTimeOnly() {
+    check("pilot", RIGHT, 1);
+    soon().until(() -> order.contains("pilot"));
+    ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+    long began = threads.getCurrentThreadCpuTime();
+    PasswordHash.unguessable(new SecureRandom()).matches(new char[1]);
+    long advised = threads.getCurrentThreadCpuTime() - began;
+    Set<Long> others = logins(threads);
+
+    try (Authenticator another = new Authenticator(users(), new SystemClock(), troubles::add)) {
+      another.check("pilot", RIGHT.getBytes(UTF_8), address(1), verdicts::add);
+      soon().until(() -> verdicts.size() > 1);
+
+      assertThat(logins(threads))
+          .filteredOn(id -> !others.contains(id))
+          .allMatch(id -> threads.getThreadCpuTime(id) < advised / 4);
+    }
+  }
+
+  /** The authenticators' threads. */
+  private static Set<Long> logins(ThreadMXBean threads) {
+    return Stream.of(threads.getThreadInfo(threads.getAllThreadIds()))
+        .filter(thread -> thread != null && thread.getThreadName().equals("u2sa-login"))
+        .map(ThreadInfo::getThreadId)
+        .collect(Collectors.toSet());
   }
 
   @Test

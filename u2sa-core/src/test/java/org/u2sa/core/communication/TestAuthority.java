@@ -89,7 +89,7 @@ public final class TestAuthority {
     all.add(Path.of(System.getProperty("java.home"), "bin", "keytool").toString());
     all.addAll(
         List.of(
-            ("-genkeypair -keyalg EC -groupname secp256r1 -alias test -dname CN=test -validity 2"
+            ("-J-XX:TieredStopAtLevel=1 -J-XX:+UseSerialGC -genkeypair -keyalg EC -groupname secp256r1 -alias test -dname CN=test -validity 2"
                     + " -ext san=dns:localhost,ip:127.0.0.1 -ext bc:c -storetype PKCS12"
                     + " -storepass changeit -keystore")
                 .split(" ")));

@@ -63,7 +63,7 @@ final class LabelPlacer {
         double cy = y + reach * Math.sin(angle) + height / 2.0 * Math.sin(angle);
         Rectangle2D.Double candidate =
             new Rectangle2D.Double(cx - width / 2.0, cy - height / 2.0, width, height);
-        double cost = cost(candidate) + DISTANCE_COST * distance;
+        double cost = cost(candidate, DISTANCE_COST * distance, bestCost);
         if (cost < bestCost) {
           bestCost = cost;
           best = candidate;
@@ -74,17 +74,18 @@ final class LabelPlacer {
     return best;
   }
 
-  private double cost(Rectangle2D.Double candidate) {
+  /** Cost of a place, at least {@code farther}; stops counting at a limit. */
+  private double cost(Rectangle2D.Double candidate, double farther, double limit) {
     double cost = frame.contains(candidate) ? 0.0 : OUTSIDE_COST;
     for (Rectangle2D.Double box : taken) {
       cost += BOX_COST * overlap(candidate, box);
     }
-    for (Point2D.Double p : lines) {
-      if (candidate.contains(p)) {
+    for (int i = 0; i < lines.size() && cost + farther < limit; i++) {
+      if (candidate.contains(lines.get(i))) {
         cost += LINE_COST;
       }
     }
-    return cost;
+    return cost + farther;
   }
 
   /** Overlapping area [px²]. */

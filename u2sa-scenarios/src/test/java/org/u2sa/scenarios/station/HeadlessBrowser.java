@@ -27,6 +27,7 @@ import org.u2sa.testkit.ProcessTree;
 final class HeadlessBrowser implements AutoCloseable, WebSocket.Listener {
   private static final ObjectMapper JSON = new ObjectMapper();
   private static final Duration LONG = Duration.ofSeconds(60);
+  private static final String NOTHING = "about:blank";
 
   /** What the page logged as an error, and exceptions that nobody caught. */
   final List<String> errors = new CopyOnWriteArrayList<>();
@@ -53,7 +54,7 @@ final class HeadlessBrowser implements AutoCloseable, WebSocket.Listener {
                 "--remote-debugging-port=0",
                 "--user-data-dir=" + profile,
                 "--window-size=" + width + "," + height,
-                "about:blank")
+                NOTHING)
             .redirectErrorStream(true)
             .redirectOutput(ProcessBuilder.Redirect.DISCARD)
             .start();
@@ -79,6 +80,14 @@ final class HeadlessBrowser implements AutoCloseable, WebSocket.Listener {
 
   void open(String address) {
     send("Page.navigate", Map.of("url", address));
+  }
+
+  /** Leaves the page for an empty one, and forgets what was logged and asked for. */
+  void leave() {
+    open(NOTHING);
+    Awaitility.await().atMost(LONG).until(() -> evaluate("location.href").asText().equals(NOTHING));
+    errors.clear();
+    requests.clear();
   }
 
   /** The value of an expression in the page. */

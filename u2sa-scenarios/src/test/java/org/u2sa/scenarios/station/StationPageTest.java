@@ -15,7 +15,9 @@ import org.eclipse.paho.client.mqttv3.MqttClient;
 import org.eclipse.paho.client.mqttv3.MqttConnectOptions;
 import org.eclipse.paho.client.mqttv3.MqttException;
 import org.eclipse.paho.client.mqttv3.persist.MemoryPersistence;
+import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -39,13 +41,25 @@ class StationPageTest {
   private static final double MAP_CENTRE_X = (WIDTH - 400) / 2.0; // of the page beside its panel
   private static final double MAP_CENTRE_Y = 450.0;
 
+  @TempDir private static Path profile;
+  private static HeadlessBrowser browser; // of all tests: it takes as long to start as a vehicle
+
   @TempDir private Path folder;
 
   private final int brokerPort = FreePort.find();
   private final int webPort = FreePort.find();
   private final String page = "http://127.0.0.1:" + webPort + "/";
   private Process vehicle;
-  private HeadlessBrowser browser;
+
+  @BeforeAll
+  static void startBrowser() throws IOException, InterruptedException {
+    browser = new HeadlessBrowser(profile, WIDTH, HEIGHT);
+  }
+
+  @AfterAll
+  static void endBrowser() {
+    browser.close();
+  }
 
   @BeforeEach
   void start() throws IOException, InterruptedException {
@@ -62,12 +76,11 @@ class StationPageTest {
     await()
         .atMost(LONG)
         .until(() -> Files.readString(output, UTF_8).contains("Operator's page: " + page));
-    browser = new HeadlessBrowser(folder.resolve("profile"), WIDTH, HEIGHT);
   }
 
   @AfterEach
   void end() {
-    browser.close();
+    browser.leave();
     ProcessTree.kill(vehicle);
   }
 

@@ -30,6 +30,16 @@ public final class Authenticator implements AutoCloseable {
   /** MAC of a correct password under this run's random key. */
   private record Proven(PasswordHash hash, byte[] mac) {}
 
+  /** The first hash of a process takes seconds on a small machine, longer than clients wait. */
+  private static final class WarmUp {
+    static {
+      PasswordHash.unguessable(new SecureRandom()).matches(new char[1]);
+    }
+
+    /** Returns when the class is initialized: the process has hashed once. */
+    static void once() {}
+  }
+
   private final Users users;
   private final Clock clock;
   private final Consumer<String> trouble;
@@ -101,8 +111,7 @@ public final class Authenticator implements AutoCloseable {
 
   private void work() {
     try {
-      // Warm-up: Java's first hash takes seconds on a small machine, longer than clients wait.
-      nobodys.matches(new char[1]);
+      WarmUp.once();
       while (!Thread.currentThread().isInterrupted()) {
         boolean rests = clock.micros() < restUntil;
         Optional<LoginApplication> next = queue.poll(rests);
