@@ -12,8 +12,7 @@ final class Hazard {
       new Hazard("operator link", "ON OPERATOR LOSS", FailsafeAction.RETURN);
   static final Hazard OPERATOR_FOR_LONG =
       new Hazard("operator link for long", "ON LONG OPERATOR LOSS", FailsafeAction.RETURN);
-  static final Hazard RADIO =
-      new Hazard("pilot's radio", "ON RADIO LOSS", FailsafeAction.CONTINUE);
+  static final Hazard RADIO = new Hazard("pilot's radio", "ON RADIO LOSS", FailsafeAction.CONTINUE);
   static final Hazard POSITION = new Hazard("position", "ON POSITION LOSS", FailsafeAction.HOLD);
   static final Hazard ESTIMATOR =
       new Hazard("state estimator", "ON ESTIMATOR LOSS", FailsafeAction.HOLD);

@@ -48,8 +48,7 @@ final class SafetyPilot implements Watch {
   public void see(U2SAData message, long nowMicros) {
     if (message instanceof HealthReport report
         && report.serviceName().equals(settings.get().pilotService())) {
-      boolean isItsOwn =
-          report.threadAlive().isEmpty() && report.status() == ServiceStatus.RUNNING;
+      boolean isItsOwn = report.threadAlive().isEmpty() && report.status() == ServiceStatus.RUNNING;
       isConfirmed = isItsOwn && remark(report, ManualState.REMARK).isPresent();
       loss =
           remark(report, ManualState.LOSS_REMARK)

@@ -26,6 +26,7 @@ import org.u2sa.service.handover.HandOver;
 public final class RadioSensor extends PeriodicService {
   private static final double RATE_HZ = 50.0;
   private static final double TIMEOUT_S = 1.0; // without a frame, or without a switch position
+  private static final double REPEAT_S = 0.5; // while the pilot flies
   private static final String AUTOMATIC = "AUTOMATIC";
 
   private static final Devices.Usual USUAL =
@@ -54,6 +55,7 @@ public final class RadioSensor extends PeriodicService {
   private OptionalLong heardMicros = OptionalLong.empty(); // last time with a switch position
   private boolean isLost;
   private long takeovers;
+  private double repeatDueS;
 
   public RadioSensor(ServiceContext context) {
     this(context, Optional.empty());
@@ -93,6 +95,8 @@ public final class RadioSensor extends PeriodicService {
       tell();
     } else if (isAutomatic && !isTold) {
       tell();
+    } else if (isManual && nowS >= repeatDueS) {
+      say(); // lest control systems conclude that this service has ended
     }
     if (isLost != wasLost) {
       tellLoss(position);
@@ -123,10 +127,15 @@ public final class RadioSensor extends PeriodicService {
   private void tell() {
     isTold = true;
     confirm();
+    say();
+    remember();
+  }
+
+  private void say() {
+    repeatDueS = nowS() + REPEAT_S;
     publish(
         Channels.MANUAL_STATE,
         new ManualState().active(isManual).operator(variables.pilot()).takeovers(takeovers));
-    remember();
   }
 
   private void confirm() {

@@ -33,7 +33,8 @@ public final class RcSwitch {
           @Description("Hysteresis: how much shorter the pulse must be to return to manual.")
           double hysteresis,
       @Variable(name = "RC CONFIRMATIONS", min = 1, max = 50, ifAbsent = 3)
-          @Description("Debounce: consecutive pulses required for automatic; at a board, manual requires one.")
+          @Description(
+              "Debounce: consecutive pulses required for automatic; at a board, manual requires one.")
           int confirmations,
       @Variable(name = "RC TIMEOUT", unit = "s", min = 0.05, max = 5, ifAbsent = 0.25)
           @Description("Time without a pulse after which the receiver counts as lost.")

@@ -3,6 +3,7 @@ package org.u2sa.drivers.rc;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.math.BigInteger;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -48,8 +49,30 @@ class RadioSensorTest {
     }
   }
 
+  /** The states without their repetitions. */
   private List<ManualState> states() {
-    return kit.published(Channels.MANUAL_STATE);
+    List<ManualState> changes = new ArrayList<>();
+    for (ManualState state : kit.published(Channels.MANUAL_STATE)) {
+      if (changes.isEmpty() || changes.get(changes.size() - 1).active() != state.active()) {
+        changes.add(state);
+      }
+    }
+    return changes;
+  }
+
+  /** A control system that no longer hears it takes it for ended. */
+  @Test
+  void step_pilotFlies_isRepeatedAlsoWithoutTheRadio() {
+    start();
+    hold(0.002, 0.5);
+    hold(0.001, 0.5);
+    hold(0.0, 2.0);
+    kit.forget();
+    hold(0.0, 2.0);
+
+    assertThat(kit.published(Channels.MANUAL_STATE))
+        .hasSizeBetween(3, 5)
+        .allMatch(ManualState::active);
   }
 
   @Test
