@@ -7,6 +7,7 @@ import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.safety.ManualState;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Determines whether a pilot moves the actuators directly, by radio and multiplexer, whatever
@@ -21,6 +22,9 @@ final class SafetyPilot implements Watch {
   private static final double MIN_FRESH_S = 1.0;
   private static final double INTERVALS = 4.0; // interval of health reports
   private static final long NEVER = Long.MIN_VALUE;
+  private static final String CONFIRMED = "pilot confirmed";
+  private static final String LOSS = "pilot's radio lost";
+  private static final String HEARD = "pilot's radio heard";
 
   private final Supplier<SafetyVariables> settings;
   private final Conditions conditions;
@@ -56,6 +60,25 @@ final class SafetyPilot implements Watch {
       double withinS = Math.max(MIN_FRESH_S, INTERVALS * report.interval().orElse(0.0));
       untilMicros = nowMicros + Clock.micros(withinS);
     }
+  }
+
+  @Override
+  public void handOver(HandOver state, long nowMicros) {
+    state.flag(CONFIRMED, isConfirmed).flag(HEARD, untilMicros != NEVER);
+    loss.ifPresent(words -> state.text(LOSS, words));
+  }
+
+  /** What the service last reported counts until its next report is due. */
+  @Override
+  public void takeOver(HandOver state, long nowMicros, boolean upToDate) {
+    isConfirmed = state.flag(CONFIRMED);
+    loss = state.text(LOSS);
+    untilMicros = state.flag(HEARD) ? nowMicros + Clock.micros(MIN_FRESH_S) : NEVER;
+  }
+
+  @Override
+  public String saved() {
+    return "" + isConfirmed + loss.isPresent() + (untilMicros != NEVER);
   }
 
   private static Optional<String> remark(HealthReport report, String prefix) {

@@ -184,6 +184,24 @@ class PilotTest extends WatchedVehicle {
         .containsExactly("pilot's radio: lost: automatic control continues");
   }
 
+  /** Before the first report of the radio's service, its predecessor knows that a pilot flies. */
+  @Test
+  void restart_batteryCriticalWhileAPilotFlies_stillWaits() {
+    SafetyManager before = startArmedManager();
+    byHand(true);
+    battery(12.5, 5.0);
+    live(12.0);
+    before.kill();
+    kit.restart(before, SafetyManager::new);
+    kit.advance(0.4);
+
+    assertThat(kit.latest(Channels.ARMING_STATE).orElseThrow().armed()).isTrue();
+    live(3.0);
+    assertThat(kit.published(Channels.EMERGENCY_STOP)).isEmpty();
+    assertThat(failsafe().causes()).anyMatch(cause -> cause.startsWith("critical battery"));
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.CONTINUE);
+  }
+
   /** Not everybody who may publish a manual-state is the radio. */
   @Test
   void step_manualStateThatTheRadioDoesNotConfirm_failsafesAct() {
