@@ -12,7 +12,6 @@ final class Hazard {
       new Hazard("operator link", "ON OPERATOR LOSS", FailsafeAction.RETURN);
   static final Hazard OPERATOR_FOR_LONG =
       new Hazard("operator link for long", "ON LONG OPERATOR LOSS", FailsafeAction.RETURN);
-  static final Hazard RADIO = new Hazard("pilot's radio", "ON RADIO LOSS", FailsafeAction.CONTINUE);
   static final Hazard POSITION = new Hazard("position", "ON POSITION LOSS", FailsafeAction.HOLD);
   static final Hazard ESTIMATOR =
       new Hazard("state estimator", "ON ESTIMATOR LOSS", FailsafeAction.HOLD);
@@ -30,6 +29,7 @@ final class Hazard {
       new Hazard("critical battery", "ON CRITICAL BATTERY", FailsafeAction.RETURN);
   static final Hazard BATTERY_SENSOR =
       new Hazard("battery sensor", "ON BATTERY SENSOR LOSS", FailsafeAction.RETURN);
+  static final Hazard RADIO = new Hazard("pilot's radio", "ON RADIO LOSS", FailsafeAction.CONTINUE);
   static final Hazard FENCE = new Hazard("geofence", "ON FENCE", FailsafeAction.RETURN);
 
   /** The hazards of every vehicle, in the order in which equally severe causes are reported. */
@@ -37,7 +37,6 @@ final class Hazard {
       List.of(
           OPERATOR,
           OPERATOR_FOR_LONG,
-          RADIO,
           POSITION,
           ESTIMATOR,
           ACTUATOR_LINK,
@@ -47,6 +46,7 @@ final class Hazard {
           LOW_BATTERY,
           CRITICAL_BATTERY,
           BATTERY_SENSOR,
+          RADIO,
           FENCE);
 
   private final String words;
