@@ -54,7 +54,6 @@ public final class CessnaControl extends ControlSystem {
   private Autopilot autopilot;
   private ManualState byHand = new ManualState(); // by the pilot's radio
   private long byHandMicros; // time at which that was last received
-  private boolean isWithheld;
   private double firstS = Double.NaN; // time of the first state
   private boolean isArmed = true; // without an arming service, actuators obey immediately
   private boolean isGroundSaved;
@@ -94,13 +93,14 @@ public final class CessnaControl extends ControlSystem {
    * do no harm while the multiplexer connects the pilot, but otherwise nobody would fly.
    */
   private boolean isByHand() {
-    boolean wasWithheld = isWithheld;
-    isWithheld = byHand.active() && clock().micros() - byHandMicros <= BY_HAND_EXPIRY_MICROS;
-    if (wasWithheld && !isWithheld && byHand.active()) {
-      beginAgain();
-      trouble("no service reports any longer that \"" + byHand.operator() + "\" flies: in control");
+    if (byHand.active() && clock().micros() - byHandMicros > BY_HAND_EXPIRY_MICROS) {
+      String why = "no service reports any longer that \"" + byHand.operator() + "\" flies";
+      trouble(why + ": in control");
+      ManualState ended = new ManualState().active(false).operator(byHand.operator());
+      onManual(ended.takeovers(byHand.takeovers()).reason(why));
+      publish(Channels.MANUAL_STATE, ended);
     }
-    return isWithheld;
+    return byHand.active();
   }
 
   @Override

@@ -133,6 +133,10 @@ class CessnaControlTest {
 
     assertThat(kit.published(Channels.ACTUATION)).isNotEmpty();
     assertThat(kit.log("Control")).anyMatch(line -> line.contains("flies: in control"));
+    ManualState ended = kit.latest(Channels.MANUAL_STATE).orElseThrow();
+    assertThat(ended.active()).isFalse();
+    assertThat(ended.takeovers()).isEqualTo(1);
+    assertThat(ended.reason()).contains("no service reports any longer that \"pilot\" flies");
   }
 
   @Test

@@ -1,6 +1,7 @@
 package org.u2sa.scenarios.suas;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -35,6 +36,7 @@ import org.u2sa.scenarios.run.VehicleTrial;
 import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
+import org.u2sa.service.U2SAService;
 import org.u2sa.sim.file.VehicleFile;
 import org.u2sa.testkit.Repository;
 
@@ -184,6 +186,24 @@ class RadioLossFlightTest {
     int commands = station.commands;
     fly(1.0);
     assertThat(station.commands).isEqualTo(commands);
+  }
+
+  @Test
+  void radiosServiceEnds_switchAtManual_fliesOnAndReturns() throws InterruptedException {
+    switchS = MANUAL_S;
+    fly(0.5);
+    assertThat(station.isByHand()).isTrue();
+    station.isThere = false;
+    running.services().stream()
+        .filter(each -> each.getServiceName().equals("RadioSensor"))
+        .forEach(U2SAService::kill);
+    fly(15.0);
+
+    assertThat(station.isByHand()).isFalse();
+    assertThat(station.failsafe.action()).isEqualTo(FailsafeAction.RETURN);
+    double heightM = heightM(); // that at the beginning of the return, less than before
+    fly(15.0);
+    assertThat(heightM()).isCloseTo(heightM, within(3.0)).isGreaterThan(30.0);
   }
 
   @Test
