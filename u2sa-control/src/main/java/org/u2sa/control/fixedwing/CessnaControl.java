@@ -13,6 +13,7 @@ import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
@@ -31,6 +32,7 @@ import org.u2sa.service.handover.HandOver;
 public final class CessnaControl extends ControlSystem {
   private static final double STATUS_INTERVAL_S = 1.0;
   private static final double FULL_PERCENT = 100.0;
+  private static final long BY_HAND_EXPIRY_MICROS = 2 * Clock.MICROS_PER_SECOND; // four repetitions
   private static final String FIRST_STATE = "FIRST STATE"; // in the hand-over
   private static final double AT_REST_MPS = 2.0; // over ground
 
@@ -51,6 +53,7 @@ public final class CessnaControl extends ControlSystem {
   private SurfaceMixing mixing = SurfaceMixing.SOUND;
   private Autopilot autopilot;
   private ManualState byHand = new ManualState(); // by the pilot's radio
+  private long byHandMicros; // time at which that was last received
   private double firstS = Double.NaN; // time of the first state
   private boolean isArmed = true; // without an arming service, actuators obey immediately
   private boolean isGroundSaved;
@@ -68,16 +71,36 @@ public final class CessnaControl extends ControlSystem {
     registerPublisher(ControlStatus.CHANNEL);
   }
 
-  /** Restarts the control laws when a pilot has returned control, wherever the aircraft is. */
   private void onManual(ManualState state) {
     if (state.requestId().isPresent()) {
       return; // this service's own answer
     }
     if (byHand.active() && !state.active()) {
-      autopilot = new Autopilot(tuning.get());
-      takeOverCommands();
+      beginAgain();
     }
     byHand = state;
+    byHandMicros = clock().micros();
+  }
+
+  /** Restarts the control laws when a pilot has returned control, wherever the aircraft is. */
+  private void beginAgain() {
+    autopilot = new Autopilot(tuning.get());
+    takeOverCommands();
+  }
+
+  /**
+   * Whether a pilot flies. If the radio's service falls silent, it is unknown who flies; commands
+   * do no harm while the multiplexer connects the pilot, but otherwise nobody would fly.
+   */
+  private boolean isByHand() {
+    if (byHand.active() && clock().micros() - byHandMicros > BY_HAND_EXPIRY_MICROS) {
+      String why = "no service reports any longer that \"" + byHand.operator() + "\" flies";
+      trouble(why + ": in control");
+      ManualState ended = new ManualState().active(false).operator(byHand.operator());
+      onManual(ended.takeovers(byHand.takeovers()).reason(why));
+      publish(Channels.MANUAL_STATE, ended);
+    }
+    return byHand.active();
   }
 
   @Override
@@ -106,7 +129,7 @@ public final class CessnaControl extends ControlSystem {
       return;
     }
     loggedMissing = List.of();
-    if (byHand.active()) {
+    if (isByHand()) {
       return;
     }
     FlightState now = seen.get();

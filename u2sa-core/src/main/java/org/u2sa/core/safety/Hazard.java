@@ -29,6 +29,7 @@ final class Hazard {
       new Hazard("critical battery", "ON CRITICAL BATTERY", FailsafeAction.RETURN);
   static final Hazard BATTERY_SENSOR =
       new Hazard("battery sensor", "ON BATTERY SENSOR LOSS", FailsafeAction.RETURN);
+  static final Hazard RADIO = new Hazard("pilot's radio", "ON RADIO LOSS", FailsafeAction.CONTINUE);
   static final Hazard FENCE = new Hazard("geofence", "ON FENCE", FailsafeAction.RETURN);
 
   /** The hazards of every vehicle, in the order in which equally severe causes are reported. */
@@ -45,6 +46,7 @@ final class Hazard {
           LOW_BATTERY,
           CRITICAL_BATTERY,
           BATTERY_SENSOR,
+          RADIO,
           FENCE);
 
   private final String words;

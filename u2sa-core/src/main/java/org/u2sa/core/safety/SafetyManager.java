@@ -12,7 +12,6 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.log.LogLevelEnum;
-import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.safety.ArmCommand;
@@ -77,6 +76,7 @@ public final class SafetyManager extends PeriodicService {
     fenceOrders = new FenceOrders(fenceWatch);
     List<ExtensionWatch> extensions = ExtensionWatch.discovered(this);
     watches = new ArrayList<>(Watches.standard(settings, conditions, named, position));
+    watches.add(new GuardedWatch(pilot));
     watches.add(new GuardedWatch(fenceWatch));
     extensions.forEach(watch -> watches.add(new GuardedWatch(watch)));
     List<Hazard> hazards = watches.stream().map(Watch::hazard).collect(Collectors.toList());
@@ -210,9 +210,6 @@ public final class SafetyManager extends PeriodicService {
     predecessor.see(message, now);
     arming.see(message, now);
     named.see(message);
-    if (message instanceof HealthReport report) {
-      pilot.see(report, now);
-    }
     for (Watch watch : watches) {
       if (watch.hears(channel)) {
         watch.see(message, now);
@@ -318,10 +315,10 @@ public final class SafetyManager extends PeriodicService {
 
   private void decide(long now) {
     boolean waits = pilot.flies(now);
+    if (pilot.isHeard(now)) {
+      watches.forEach(watch -> watch.pilotFlies(now));
+    }
     for (Watch watch : watches) {
-      if (waits) {
-        watch.pilotFlies(now);
-      }
       watch
           .trouble(now)
           .ifPresent(

@@ -47,7 +47,7 @@ public final class IoioService extends ProprioceptiveSensor implements ActuatorO
   private final BoardConnector connector;
   private final StopEcho stopEcho = new StopEcho();
   private Optional<Boolean> reported = Optional.empty(); // whether the board is connected
-  private RcSwitch.Position position = RcSwitch.Position.AUTOMATIC;
+  private RcSwitch.Position position;
   private double batteryDueS;
   private double greetingDueS;
 
@@ -75,6 +75,7 @@ public final class IoioService extends ProprioceptiveSensor implements ActuatorO
     motors = new MotorOutputs(outputs, descriptions, commands, variables.actuatorsTogether());
     RcSwitch rcSwitch = new RcSwitch(settings(RcSwitch.Variables.class).get());
     radio = plan.radio() == PinPlan.NONE ? Optional.empty() : Optional.of(rcSwitch);
+    position = radio.isEmpty() ? RcSwitch.Position.AUTOMATIC : RcSwitch.Position.LOST;
     batteryDivider =
         plan.battery() == PinPlan.NONE
             ? OptionalDouble.empty()
@@ -194,7 +195,11 @@ public final class IoioService extends ProprioceptiveSensor implements ActuatorO
     RcSwitch.Position newPosition = rcSwitch.position(now);
     if (newPosition != position) {
       position = newPosition;
-      log("radio: " + position);
+      if (position == RcSwitch.Position.LOST && pins.isPresent()) {
+        trouble("the radio is lost: commands are withheld");
+      } else {
+        log("radio: " + position);
+      }
     }
   }
 

@@ -5,9 +5,9 @@ import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * The radio's automatic/manual switch (thesis 4.6.3). A short pulse, an invalid pulse, or none
- * within the time-out selects manual immediately; automatic requires several consecutive long
- * pulses. A lost receiver therefore means manual. Not thread-safe.
+ * The radio's automatic/manual switch (thesis 4.6.3). Automatic requires several consecutive long
+ * pulses. An invalid pulse, or none within the time-out, means that the receiver is lost, until its
+ * position is confirmed again. Not thread-safe.
  */
 public final class RcSwitch {
   private static final double MICRO = 1.0e-6;
@@ -20,7 +20,7 @@ public final class RcSwitch {
     AUTOMATIC,
     /** The radio operator drives. */
     MANUAL,
-    /** No receiver; treated as manual. */
+    /** No receiver: who drives is for the owner of the switch to decide. */
     LOST
   }
 
@@ -33,20 +33,32 @@ public final class RcSwitch {
           @Description("Hysteresis: how much shorter the pulse must be to return to manual.")
           double hysteresis,
       @Variable(name = "RC CONFIRMATIONS", min = 1, max = 50, ifAbsent = 3)
-          @Description("Debounce: consecutive pulses required for automatic; manual requires one.")
+          @Description(
+              "Debounce: consecutive pulses required for automatic; at a board, manual requires one.")
           int confirmations,
       @Variable(name = "RC TIMEOUT", unit = "s", min = 0.05, max = 5, ifAbsent = 0.25)
-          @Description("Time without a pulse after which the receiver counts as lost: manual.")
+          @Description("Time without a pulse after which the receiver counts as lost.")
           double timeout) {}
 
   private final Variables tuning;
   private final long timeoutMicros;
+  private final int manualConfirmations;
   private Position position = Position.LOST;
+  private Position next = Position.LOST; // position of the last pulses, not yet confirmed
   private int inRow;
   private long lastMicros;
 
+  /** A switch at which one short pulse selects manual. */
   public RcSwitch(Variables tuning) {
+    this(tuning, 1);
+  }
+
+  /**
+   * @param manualConfirmations consecutive pulses required for manual
+   */
+  RcSwitch(Variables tuning, int manualConfirmations) {
     this.tuning = tuning;
+    this.manualConfirmations = manualConfirmations;
     timeoutMicros = Clock.micros(tuning.timeout());
   }
 
@@ -59,31 +71,32 @@ public final class RcSwitch {
   public void accept(double pulseS, long nowMicros) {
     double us = pulseS / MICRO;
     if (!(us >= SHORTEST_US && us <= LONGEST_US)) {
-      becomes(Position.LOST);
+      lose();
       return;
     }
     Position before = position(nowMicros);
     lastMicros = nowMicros;
     double thresholdUs =
         tuning.automaticAbove() - (before == Position.AUTOMATIC ? tuning.hysteresis() : 0.0);
-    if (!(us > thresholdUs)) {
-      becomes(Position.MANUAL);
-    } else if (before != Position.AUTOMATIC) {
-      inRow++;
-      position = inRow >= tuning.confirmations() ? Position.AUTOMATIC : Position.MANUAL;
+    Position pulse = us > thresholdUs ? Position.AUTOMATIC : Position.MANUAL;
+    inRow = pulse == next ? inRow + 1 : 1;
+    next = pulse;
+    boolean isAutomatic = pulse == Position.AUTOMATIC;
+    if (inRow >= (isAutomatic ? tuning.confirmations() : manualConfirmations)) {
+      position = pulse;
     }
   }
 
   /** Switch position at a time of the run's clock [µs]. */
   public Position position(long nowMicros) {
-    if (position != Position.LOST && nowMicros - lastMicros > timeoutMicros) {
-      becomes(Position.LOST);
+    if (nowMicros - lastMicros > timeoutMicros) {
+      lose();
     }
     return position;
   }
 
-  private void becomes(Position other) {
-    position = other;
-    inRow = 0;
+  private void lose() {
+    position = Position.LOST;
+    next = Position.LOST;
   }
 }

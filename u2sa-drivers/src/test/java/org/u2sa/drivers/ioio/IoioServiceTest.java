@@ -134,7 +134,7 @@ class IoioServiceTest {
     on.expectWidths(BoardKit.NEUTRAL_S, BoardKit.NEUTRAL_S);
     assertThat(on.kit.log("IoioService"))
         .anySatisfy(line -> assertThat(line).contains("radio: MANUAL"))
-        .anySatisfy(line -> assertThat(line).contains("radio: LOST"));
+        .anySatisfy(line -> assertThat(line).contains("the radio is lost: commands are withheld"));
   }
 
   @Test

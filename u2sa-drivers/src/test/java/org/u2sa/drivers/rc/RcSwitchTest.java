@@ -9,13 +9,14 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 
-/** Manual unless the radio surely says otherwise. */
+/** Automatic and manual are confirmed; neither survives the loss of the receiver. */
 class RcSwitchTest {
   private static final long FRAME_MICROS = 20_000; // 50 pulses a second
 
-  private final RcSwitch rcSwitch =
-      new RcSwitch(
-          XmlConfiguration.inMemory("the test", Map.of()).settings(RcSwitch.Variables.class).get());
+  private static final RcSwitch.Variables TUNING =
+      XmlConfiguration.inMemory("the test", Map.of()).settings(RcSwitch.Variables.class).get();
+
+  private RcSwitch rcSwitch = new RcSwitch(TUNING);
   private long nowMicros;
 
   private RcSwitch.Position after(double... pulsesUs) {
@@ -33,9 +34,17 @@ class RcSwitchTest {
 
   @Test
   void accept_longPulses_areAutomaticOnlyInARow() {
-    assertThat(after(1900, 1900)).isEqualTo(MANUAL);
+    assertThat(after(1900, 1900)).isEqualTo(LOST);
     assertThat(after(1200, 1900, 1900)).isEqualTo(MANUAL);
     assertThat(after(1900)).isEqualTo(AUTOMATIC);
+  }
+
+  @Test
+  void accept_shortPulsesThatNeedConfirming_areManualOnlyInARow() {
+    rcSwitch = new RcSwitch(TUNING, 3);
+    after(1900, 1900, 1900);
+    assertThat(after(1200, 1200, 1900, 1200, 1200)).isEqualTo(AUTOMATIC);
+    assertThat(after(1200)).isEqualTo(MANUAL);
   }
 
   @Test
@@ -56,7 +65,7 @@ class RcSwitchTest {
   void accept_pulseThatNoReceiverGives_isLostAtOnceAndNeedsConfirmingAgain() {
     after(1900, 1900, 1900);
     assertThat(after(2900)).isEqualTo(LOST);
-    assertThat(after(1900, 1900)).isEqualTo(MANUAL);
+    assertThat(after(1900, 1900)).isEqualTo(LOST);
     assertThat(after(1900)).isEqualTo(AUTOMATIC);
     assertThat(after(Double.NaN)).isEqualTo(LOST);
     assertThat(after(1900, 1900, 1900, 0.0)).isEqualTo(LOST);
@@ -68,6 +77,8 @@ class RcSwitchTest {
     assertThat(rcSwitch.position(nowMicros + 250_000)).isEqualTo(AUTOMATIC);
     assertThat(rcSwitch.position(nowMicros + 250_001)).isEqualTo(LOST);
     nowMicros += 1_000_000;
-    assertThat(after(1900, 1900)).as("not automatic before it is confirmed").isEqualTo(MANUAL);
+    assertThat(after(1900, 1900)).as("not automatic before it is confirmed").isEqualTo(LOST);
+    nowMicros += 1_000_000;
+    assertThat(after(1900, 1900)).as("the silence interrupts the row").isEqualTo(LOST);
   }
 }

@@ -14,6 +14,9 @@ public final class ManualState extends U2SAData {
    */
   public static final String REMARK = "BY HAND";
 
+  /** Prefix of the remark by which it reports that it no longer hears the pilot's radio. */
+  public static final String LOSS_REMARK = "RADIO LOST";
+
   private static final Schema<ManualState> SCHEMA =
       Schema.of(ManualState.class, ManualState::new, U2SAData.TYPE).since(3);
   private static final ValueField<ManualState, Boolean> ACTIVE = SCHEMA.flag("active");

@@ -68,6 +68,7 @@ final class SuasJudge implements TruthObserver.Scorer {
   private double longestGapS;
   private int corrections;
   private int takeovers;
+  private boolean isByHand;
   private FailsafeAction failsafe = FailsafeAction.CONTINUE;
   private double nowS;
   private VehicleTruth last;
@@ -123,7 +124,10 @@ final class SuasJudge implements TruthObserver.Scorer {
     if (data instanceof ManualState state) {
       boolean isNew = state.active() && state.takeovers() > takeovers;
       takeovers = (int) state.takeovers();
-      say(isNew ? "takeover " + takeovers : state.active() ? "by hand" : "automatic");
+      if (isNew || state.active() != isByHand) {
+        say(isNew ? "takeover " + takeovers : state.active() ? "by hand" : "automatic");
+      }
+      isByHand = state.active();
       return true;
     }
     if (!(data instanceof StateInformation state)) {

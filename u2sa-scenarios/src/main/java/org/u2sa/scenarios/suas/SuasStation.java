@@ -42,6 +42,7 @@ final class SuasStation extends PeriodicService {
   private final Script script;
   private final Deque<String> toInsert = new ArrayDeque<>();
   private boolean flies;
+  private boolean isByHand;
   private boolean resumes; // whether to resume the mission that a takeover has paused
   private double pressureDueS;
   private double orderDueS;
@@ -66,10 +67,10 @@ final class SuasStation extends PeriodicService {
 
   private void onManual(ManualState state) {
     resumes = !state.active() && state.takeovers() > 0;
-    if (!state.active()) {
-      return;
+    if (state.active() && !isByHand) {
+      log("taken over by \"" + state.operator() + "\"");
     }
-    log("taken over by \"" + state.operator() + "\"");
+    isByHand = state.active();
   }
 
   private void onMission(U2SAData data) {

@@ -119,6 +119,26 @@ class CessnaControlTest {
     assertThat(kit.percent("THROTTLE")).isCloseTo(throttle, within(5.0));
   }
 
+  /** A radio service that has ended says nothing about who flies. */
+  @Test
+  void callback_pilotsServiceFallsSilent_commandsAgainAfterTwoSeconds() {
+    kit.start(CessnaControl::new);
+    fly(flying(), Point.of(300.0, 0.0, 0.0), 5);
+    kit.publish(
+        Channels.MANUAL_STATE, new ManualState().active(true).operator("pilot").takeovers(1));
+    kit.forget();
+    fly(flying(), Point.of(300.0, 0.0, 0.0), (int) Math.floor(2.0 / STEP_S));
+    assertThat(kit.published(Channels.ACTUATION)).isEmpty();
+    fly(flying(), Point.of(300.0, 0.0, 0.0), 2);
+
+    assertThat(kit.published(Channels.ACTUATION)).isNotEmpty();
+    assertThat(kit.log("Control")).anyMatch(line -> line.contains("flies: in control"));
+    ManualState ended = kit.latest(Channels.MANUAL_STATE).orElseThrow();
+    assertThat(ended.active()).isFalse();
+    assertThat(ended.takeovers()).isEqualTo(1);
+    assertThat(ended.reason()).contains("no service reports any longer that \"pilot\" flies");
+  }
+
   @Test
   void callback_pointToTheRight_rollsRight() {
     kit.start(CessnaControl::new);
