@@ -1,0 +1,198 @@
+package org.u2sa.gcs.mavlink.vehicle;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.Queue;
+import java.util.UUID;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.CommunicationException;
+import org.u2sa.messages.contract.ConfigurationTransactionResult;
+import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.ServiceOrderResult;
+import org.u2sa.messages.mission.MissionOrderResult;
+import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.FenceOrderResult;
+import org.u2sa.messages.safety.ManualState;
+import org.u2sa.messages.schema.U2SAData;
+
+/**
+ * Orders of all stations that wait for the vehicle's answer. Each is answered once, on the thread
+ * that calls {@link #step}: by the vehicle, or with a failure after 3 s.
+ *
+ * <p>Every station has places of its own for every kind of order, so that no station and no bulk of
+ * changes keeps an order to stop, hold or disarm waiting.
+ */
+public final class OrdersUnderWay {
+  /** Publishes a message of the vehicle's channels. */
+  @FunctionalInterface
+  public interface Publisher {
+    /**
+     * Publishes.
+     *
+     * @throws CommunicationException if the message was not accepted
+     */
+    void publish(Channel<?> channel, U2SAData message);
+  }
+
+  /** Kinds of orders, each with places of its own. */
+  enum Kind {
+    ARM, // or drive by hand
+    DISARM, // or end driving by hand
+    STOP,
+    HOLD, // or return, or land
+    CONFIGURE,
+    OTHER
+  }
+
+  private record Pending(
+      long deadlineMicros, VehicleOrders station, Kind kind, VehicleOrders.Answer answer) {
+    private void done(boolean accepted, String text) {
+      station.leavePlace(kind);
+      answer.done(accepted, text);
+    }
+  }
+
+  private record Result(String id, boolean accepted, String text) {}
+
+  private static final long ANSWER_WITHIN_MICROS = 3_000_000;
+  private static final int PLACES = 32; // of a station, for a kind
+  private static final int MAX_STATIONS = 16;
+
+  private final Publisher publisher;
+  private final String operator;
+  private final Map<String, Pending> pending = new ConcurrentHashMap<>();
+  private final Queue<Result> results = new ConcurrentLinkedQueue<>();
+  private final String stopId; // the same for all: stations repeat a stop until it is acknowledged
+  private long nowMicros;
+
+  /**
+   * @param operator author of the orders, as the vehicle logs it
+   */
+  public OrdersUnderWay(Publisher publisher, String operator) {
+    this.publisher = publisher;
+    this.operator = operator;
+    stopId = operator + " " + UUID.randomUUID();
+  }
+
+  String operator() {
+    return operator;
+  }
+
+  String stopId() {
+    return stopId;
+  }
+
+  /**
+   * Name of a person at a station, as the vehicle logs it.
+   *
+   * @param connection the station's own: most stations have the same MAVLink system ID
+   */
+  public String driver(String connection, int station) {
+    return operator + " station " + station + " " + connection;
+  }
+
+  /** Publishes a message that expects no answer. */
+  public void tell(Channel<?> channel, U2SAData message) {
+    publisher.publish(channel, message);
+  }
+
+  void send(
+      String id,
+      VehicleOrders station,
+      Kind kind,
+      Channel<?> channel,
+      U2SAData order,
+      VehicleOrders.Answer answer) {
+    if (!station.takePlace(kind, PLACES)) {
+      answer.done(false, "too many orders at once");
+      return;
+    }
+    makeRoom();
+    pending.put(id, new Pending(nowMicros + ANSWER_WITHIN_MICROS, station, kind, answer));
+    try {
+      publisher.publish(channel, order);
+    } catch (CommunicationException e) {
+      results.add(new Result(id, false, e.getMessage()));
+    }
+  }
+
+  /** Stations that come, order and leave do not fill the memory: their oldest order gives way. */
+  private void makeRoom() {
+    if (pending.size() >= MAX_STATIONS * PLACES * Kind.values().length) {
+      pending.entrySet().stream()
+          .filter(each -> each.getValue().station().isClosed())
+          .min(Comparator.comparingLong(each -> each.getValue().deadlineMicros()))
+          .ifPresent(oldest -> end(oldest.getKey(), false, "its station has left"));
+    }
+  }
+
+  private void end(String id, boolean accepted, String text) {
+    Pending asked = pending.remove(id);
+    if (asked != null) { // the first answer counts
+      asked.done(accepted, text);
+    }
+  }
+
+  /** Takes a message that may be an answer; on any thread. */
+  void take(U2SAData message) {
+    if (message instanceof MissionOrderResult result) {
+      answered(result.requestId(), result.accepted(), result.outcome());
+    } else if (message instanceof FenceOrderResult result) {
+      answered(result.requestId(), result.accepted(), result.outcome());
+    } else if (message instanceof ConfigurationTransactionResult result) {
+      answered(result.requestId(), result.accepted(), result.reason());
+    } else if (message instanceof ServiceOrderResult result) {
+      answered(result.requestId(), result.accepted(), result.reason());
+    } else if (message instanceof ArmingState state && state.requestId().isPresent()) {
+      String id = state.requestId().get();
+      Pending asked = pending.get(id);
+      if (asked != null) {
+        boolean isDone = state.armed() == (asked.kind() == Kind.ARM);
+        answered(id, isDone, String.join("; ", state.reasons()));
+      }
+    } else if (message instanceof ManualState state && state.requestId().isPresent()) {
+      Pending asked = pending.get(state.requestId().get());
+      if (asked != null) {
+        answered(
+            state.requestId().get(),
+            state.active() == (asked.kind() == Kind.ARM),
+            state.reason().orElse(""));
+      }
+    } else if (message instanceof HealthReport report
+        && report.emergencyStops().orElse(List.of()).contains(stopId)) {
+      String by = "in force at " + report.serviceName();
+      pending.forEach(
+          (id, asked) -> {
+            if (asked.kind() == Kind.STOP) {
+              answered(id, true, by);
+            }
+          });
+    }
+  }
+
+  private void answered(String id, boolean accepted, String text) {
+    if (pending.containsKey(id)) {
+      results.add(new Result(id, accepted, text));
+    }
+  }
+
+  /** Delivers answers. */
+  public void step(long micros) {
+    nowMicros = micros;
+    for (Result result = results.poll(); result != null; result = results.poll()) {
+      end(result.id(), result.accepted(), result.text());
+    }
+    pending.forEach(
+        (id, asked) -> {
+          if (micros > asked.deadlineMicros()) {
+            end(
+                id,
+                false,
+                "no answer from the vehicle: the bridge's user may lack the role operator, or no service there handles it");
+          }
+        });
+  }
+}
