@@ -58,8 +58,7 @@ public final class MavlinkSigning {
   }
 
   /** Signed packet of a payload. */
-  byte[] sign(
-      int sequence, int system, int component, int message, int crc, byte[] payload) {
+  byte[] sign(int sequence, int system, int component, int message, int crc, byte[] payload) {
     newest = Math.max(newest + 1, wallTicks());
     byte[] frame =
         MavlinkPacket.createSignedMavlink2Packet(

@@ -8,8 +8,8 @@ import java.util.Map;
  * those of a new stream must not be more than a minute old. Thread-safe.
  *
  * <p>The age is measured by the vehicle's clock, so that no station with a clock ahead makes others
- * outdated. Only a clock that has not been set follows the newest timestamp. A system's streams that
- * have become outdated make room for others; their packets are then too old for a new stream.
+ * outdated. Only a clock that has not been set follows the newest timestamp. A system's streams
+ * that have become outdated make room for others; their packets are then too old for a new stream.
  */
 final class SignedStreams {
   private static final long NEW_STREAM_TICKS = 6_000_000; // a minute

@@ -24,6 +24,7 @@ class SignedStreamsTest {
     assertThat(admit(254, 0, NOW, NOW)).isEmpty();
     long later = NOW + MINUTE + 1;
     assertThat(admit(200, 64, later, later)).isEmpty();
-    assertThat(admit(200, 1, NOW, later)).isEqualTo("outdated signature"); // forgotten, not admitted
+    assertThat(admit(200, 1, NOW, later))
+        .isEqualTo("outdated signature"); // forgotten, not admitted
   }
 }

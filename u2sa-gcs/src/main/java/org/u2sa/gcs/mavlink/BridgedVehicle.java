@@ -13,8 +13,8 @@ import org.u2sa.gcs.mavlink.telemetry.Placement;
 import org.u2sa.gcs.mavlink.telemetry.Telemetry;
 import org.u2sa.gcs.mavlink.telemetry.Uptime;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
-import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
 import org.u2sa.gcs.mavlink.vehicle.OrdersUnderWay;
+import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
 import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 import org.u2sa.gcs.mavlink.vehicle.VehicleSurroundings;
 

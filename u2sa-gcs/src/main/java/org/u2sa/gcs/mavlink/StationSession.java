@@ -28,8 +28,8 @@ import org.u2sa.mavlink.MavlinkSigning;
 import org.u2sa.mavlink.MavlinkStream;
 
 /**
- * One station: passes its messages to the microservices, and queues packets for it.
- * Confined to the bridge's thread.
+ * One station: passes its messages to the microservices, and queues packets for it. Confined to the
+ * bridge's thread.
  */
 final class StationSession implements GroundStation {
   private static final int QUEUE_BYTES = 256 * 1024;
@@ -73,23 +73,13 @@ final class StationSession implements GroundStation {
     IntFunction<String> drivers = station -> vehicle.orders.driver(connection, station);
     sticks =
         new StickInput(
-            vehicle.model,
-            orders,
-            drivers,
-            vehicle.mavlinkId,
-            vehicle.uptime::unixMicros,
-            this);
+            vehicle.model, orders, drivers, vehicle.mavlinkId, vehicle.uptime::unixMicros, this);
     commands =
         new CommandService(
             this,
             new MessageCommands(vehicle.telemetry, rates, vehicle.identity, vehicle.systemId, this),
             new VehicleCommands(
-                vehicle.model,
-                orders,
-                vehicle.identity,
-                vehicle.placement,
-                vehicle.book,
-                drivers),
+                vehicle.model, orders, vehicle.identity, vehicle.placement, vehicle.book, drivers),
             vehicle.identity);
   }
 
@@ -109,7 +99,7 @@ final class StationSession implements GroundStation {
     input.take(bytes, length, micros);
   }
 
-  /** The station has left; its last orders are still carried out. */
+  /** The station has left. */
   void close() {
     orders.close();
   }

@@ -55,7 +55,8 @@ final class StopSearch {
     int flags = isSecond ? all[at + 2] : 0;
     int message = all[at + header - 1] & 0xFF;
     if (isSecond) {
-      message = all[at + 7] & 0xFF | (all[at + 8] & 0xFF) << BYTE | (all[at + 9] & 0xFF) << 2 * BYTE;
+      message =
+          all[at + 7] & 0xFF | (all[at + 8] & 0xFF) << BYTE | (all[at + 9] & 0xFF) << 2 * BYTE;
     }
     int payload = all[at + 1] & 0xFF;
     boolean isCommand = message == COMMAND_INT || message == COMMAND_LONG;

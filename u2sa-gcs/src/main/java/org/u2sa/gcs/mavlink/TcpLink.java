@@ -15,10 +15,11 @@ import java.util.function.Supplier;
 import org.u2sa.mavlink.MavlinkStream;
 
 /**
- * Stations that connect by TCP. One that does not read is disconnected. If all places are taken, a new station replaces the oldest
- * connection that has sent no valid packet, so silent clients and clients without the key cannot
- * lock operators out. One that begins with anything but a packet is disconnected: a page in a
- * browser of this host can send an HTTP request to any port, with packets in its body.
+ * Stations that connect by TCP. One that does not read is disconnected. If all places are taken, a
+ * new station replaces the oldest connection that has sent no valid packet, so silent clients and
+ * clients without the key cannot lock operators out. One that begins with anything but a packet is
+ * disconnected: a page in a browser of this host can send an HTTP request to any port, with packets
+ * in its body.
  */
 final class TcpLink implements StationLink {
   private static final int MAX_STATIONS = 16;

@@ -20,8 +20,8 @@ import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
-import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
 import org.u2sa.gcs.mavlink.vehicle.OrdersUnderWay;
+import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
 import org.u2sa.mavlink.MavlinkStream;
 import org.u2sa.messages.StateInformation;
 

@@ -46,7 +46,9 @@ class StationCommandTest {
     kit.command(400, 1.0);
     kit.command(400, 1.0);
     kit.command(400, 0.0);
-    assertThat(kit.orders(ArmCommand.class)).extracting(ArmCommand::arm).containsExactly(true, false);
+    assertThat(kit.orders(ArmCommand.class))
+        .extracting(ArmCommand::arm)
+        .containsExactly(true, false);
   }
 
   @Test

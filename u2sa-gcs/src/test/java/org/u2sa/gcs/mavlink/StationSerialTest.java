@@ -97,7 +97,8 @@ class StationSerialTest {
   }
 
   @Test
-  void exchange_moreTelemetryThanTheLineCarries_keepsToItsRateAndStarvesNoMessage() throws IOException {
+  void exchange_moreTelemetryThanTheLineCarries_keepsToItsRateAndStarvesNoMessage()
+      throws IOException {
     pass(10.0);
     received.clear();
     bytes = 0;
@@ -177,7 +178,12 @@ class StationSerialTest {
   void exchange_stopBehindMoreSticksThanAllowed_isObeyedAtOnceAndNoStickWaits() throws IOException {
     byte[] stick =
         station.encode(
-            ManualControl.builder().target(1).x(600).buttons(0xFFFF).enabledExtensions(255).build());
+            ManualControl.builder()
+                .target(1)
+                .x(600)
+                .buttons(0xFFFF)
+                .enabledExtensions(255)
+                .build());
     send(repeated(stick, 3_000), station.encode(STOP), repeated(stick, 100));
     pass(0.03);
 

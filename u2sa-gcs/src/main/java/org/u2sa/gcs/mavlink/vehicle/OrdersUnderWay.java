@@ -7,6 +7,7 @@ import java.util.Queue;
 import java.util.UUID;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import org.u2sa.core.communication.limit.Allowance;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.messages.contract.ConfigurationTransactionResult;
@@ -23,7 +24,10 @@ import org.u2sa.messages.schema.U2SAData;
  * that calls {@link #step}: by the vehicle, or with a failure after 3 s.
  *
  * <p>Every station has places of its own for every kind of order, so that no station and no bulk of
- * changes keeps an order to stop, hold or disarm waiting.
+ * changes keeps an order to stop, hold or disarm waiting. Stops and arming are published at once.
+ * Of the others, the broker refuses what a client sends beyond its rate: they are published more
+ * slowly, and the stations take turns. A station's own stay in order, so that none to hold is
+ * followed by an older one to go on; only parameters let all others pass.
  */
 public final class OrdersUnderWay {
   /** Publishes a message of the vehicle's channels. */
@@ -39,13 +43,36 @@ public final class OrdersUnderWay {
 
   /** Kinds of orders, each with places of its own. */
   enum Kind {
-    ARM, // or drive by hand
-    DISARM, // or end driving by hand
-    STOP,
-    HOLD, // or return, or land
-    CONFIGURE,
-    OTHER
+    STOP(Urgency.AT_ONCE),
+    DISARM(Urgency.AT_ONCE),
+    ARM(Urgency.AT_ONCE),
+    RELEASE(Urgency.SOON), // end driving by hand
+    HOLD(Urgency.SOON), // or return, or land
+    DRIVE(Urgency.SOON), // by hand
+    OTHER(Urgency.SOON),
+    CONFIGURE(Urgency.LATER);
+
+    private final Urgency urgency;
+
+    Kind(Urgency urgency) {
+      this.urgency = urgency;
+    }
   }
+
+  private enum Urgency {
+    AT_ONCE,
+    SOON,
+    LATER
+  }
+
+  /** An order that has not been published. */
+  private record Order(
+      String id,
+      VehicleOrders station,
+      Kind kind,
+      Channel<?> channel,
+      U2SAData message,
+      VehicleOrders.Answer answer) {}
 
   private record Pending(
       long deadlineMicros, VehicleOrders station, Kind kind, VehicleOrders.Answer answer) {
@@ -60,12 +87,17 @@ public final class OrdersUnderWay {
   private static final long ANSWER_WITHIN_MICROS = 3_000_000;
   private static final int PLACES = 32; // of a station, for a kind
   private static final int MAX_STATIONS = 16;
+  private static final double PER_S = 25.0; // half of the broker's; a long one counts as several
+  private static final double BURST = 10.0;
 
   private final Publisher publisher;
   private final String operator;
   private final Map<String, Pending> pending = new ConcurrentHashMap<>();
   private final Queue<Result> results = new ConcurrentLinkedQueue<>();
   private final String stopId; // the same for all: stations repeat a stop until it is acknowledged
+  private final Turns<Order> soon = new Turns<>();
+  private final Turns<Order> later = new Turns<>();
+  private final Allowance allowance = new Allowance(PER_S, BURST, 0L);
   private long nowMicros;
 
   /**
@@ -100,23 +132,48 @@ public final class OrdersUnderWay {
   }
 
   void send(
-      String id,
       VehicleOrders station,
       Kind kind,
+      String id,
       Channel<?> channel,
-      U2SAData order,
+      U2SAData message,
       VehicleOrders.Answer answer) {
     if (!station.takePlace(kind, PLACES)) {
       answer.done(false, "too many orders at once");
       return;
     }
-    makeRoom();
-    pending.put(id, new Pending(nowMicros + ANSWER_WITHIN_MICROS, station, kind, answer));
-    try {
-      publisher.publish(channel, order);
-    } catch (CommunicationException e) {
-      results.add(new Result(id, false, e.getMessage()));
+    Order order = new Order(id, station, kind, channel, message, answer);
+    switch (kind.urgency) {
+      case AT_ONCE -> publish(order);
+      case SOON -> soon.add(station, order);
+      case LATER -> later.add(station, order);
     }
+    publishDue();
+  }
+
+  private void publishDue() {
+    while (!(soon.isEmpty() && later.isEmpty()) && allowance.isOpen(nowMicros)) {
+      allowance.take(1.0);
+      publish(soon.isEmpty() ? later.next() : soon.next());
+    }
+  }
+
+  private void publish(Order order) {
+    makeRoom();
+    long deadlineMicros = nowMicros + ANSWER_WITHIN_MICROS;
+    pending.put(
+        order.id(), new Pending(deadlineMicros, order.station(), order.kind(), order.answer()));
+    try {
+      publisher.publish(order.channel(), order.message());
+    } catch (CommunicationException e) {
+      results.add(new Result(order.id(), false, e.getMessage()));
+    }
+  }
+
+  /** Drops what a station has ordered and has not been published. */
+  void forget(VehicleOrders station) {
+    soon.remove(station);
+    later.remove(station);
   }
 
   /** Stations that come, order and leave do not fill the memory: their oldest order gives way. */
@@ -158,7 +215,7 @@ public final class OrdersUnderWay {
       if (asked != null) {
         answered(
             state.requestId().get(),
-            state.active() == (asked.kind() == Kind.ARM),
+            state.active() == (asked.kind() == Kind.DRIVE),
             state.reason().orElse(""));
       }
     } else if (message instanceof HealthReport report
@@ -194,5 +251,6 @@ public final class OrdersUnderWay {
                 "no answer from the vehicle: the bridge's user may lack the role operator, or no service there handles it");
           }
         });
+    publishDue();
   }
 }

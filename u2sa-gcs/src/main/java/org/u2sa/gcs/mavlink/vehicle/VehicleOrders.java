@@ -65,7 +65,11 @@ public final class VehicleOrders {
         UUID.randomUUID().toString(),
         Kind.STOP,
         Channels.EMERGENCY_STOP,
-        new EmergencyStop().active(true).operator(all.operator()).reason(reason).stopId(all.stopId()),
+        new EmergencyStop()
+            .active(true)
+            .operator(all.operator())
+            .reason(reason)
+            .stopId(all.stopId()),
         answer);
   }
 
@@ -110,7 +114,7 @@ public final class VehicleOrders {
     String id = UUID.randomUUID().toString();
     send(
         id,
-        active ? Kind.ARM : Kind.DISARM,
+        active ? Kind.DRIVE : Kind.RELEASE,
         Channels.MANUAL_ORDERS,
         new ManualOrder().requestId(id).active(active).operator(driver),
         answer);
@@ -119,12 +123,22 @@ public final class VehicleOrders {
   /** Changes the fence. */
   public void fence(FenceOrder order, Answer answer) {
     String id = UUID.randomUUID().toString();
-    send(id, Kind.OTHER, Channels.FENCE_ORDERS, order.requestId(id).operator(all.operator()), answer);
+    send(
+        id,
+        Kind.OTHER,
+        Channels.FENCE_ORDERS,
+        order.requestId(id).operator(all.operator()),
+        answer);
   }
 
   public void configure(ConfigurationTransaction change, Answer answer) {
     String id = UUID.randomUUID().toString();
-    send(id, Kind.CONFIGURE, Channels.CONFIGURATION, change.requestId(id).author(all.operator()), answer);
+    send(
+        id,
+        Kind.CONFIGURE,
+        Channels.CONFIGURATION,
+        change.requestId(id).author(all.operator()),
+        answer);
   }
 
   /** Publishes a message that expects no answer. */
@@ -133,7 +147,7 @@ public final class VehicleOrders {
   }
 
   private void send(String id, Kind kind, Channel<?> channel, U2SAData order, Answer answer) {
-    all.send(id, this, kind, channel, order, answer);
+    all.send(this, kind, id, channel, order, answer);
   }
 
   boolean takePlace(Kind kind, int places) {
@@ -148,9 +162,10 @@ public final class VehicleOrders {
     taken.merge(kind, -1, Integer::sum);
   }
 
-  /** The station has left; its last orders are still carried out. */
+  /** The station has left: what has not been published is dropped. */
   public void close() {
     isClosed = true;
+    all.forget(this);
   }
 
   boolean isClosed() {
