@@ -5,20 +5,17 @@ import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.Arrays;
-import java.util.HashMap;
-import java.util.Map;
 import java.util.function.LongSupplier;
 
 /**
- * Signs MAVLink 2 packets and checks signatures (mavlink.io/en/guide/message_signing). A packet is
- * admitted once: each stream's timestamps must increase, and those of a new stream must not be more
- * than a minute old. Thread-safe, so that all links of a system share it.
+ * Signs MAVLink 2 packets of one link and checks signatures (mavlink.io/en/guide/message_signing).
+ * A link's own timestamps follow those of its stations, so that stations with another clock hear
+ * it. The links of a system share the {@link SignedStreams}.
  */
 public final class MavlinkSigning {
   private static final long EPOCH_MICROS = 1_420_070_400_000_000L; // 2015-01-01 UTC
   private static final long TICK_MICROS = 10;
-  private static final long NEW_STREAM_TICKS = 60_000_000L / TICK_MICROS;
-  private static final int MAX_STREAMS = 64;
+  private static final long LATEST = (1L << 48) - (1L << 40); // later ones are not followed
   private static final int LINK_ID = 0;
   private static final int BYTE = 8;
   private static final int MAGIC_2 = 0xFD;
@@ -30,16 +27,26 @@ public final class MavlinkSigning {
 
   private final byte[] key;
   private final LongSupplier unixMicros;
-  private final Map<Integer, Long> streams = new HashMap<>(); // newest timestamp of each stream
-  private long newest; // newest timestamp of all signatures, including ours [10 µs since 2015]
+  private final SignedStreams streams;
+  private long newest; // newest timestamp of this link, received or sent [10 µs since 2015]
 
   /**
    * @param passphrase shared with the stations, which hash it the same way
    * @param unixMicros wall clock [µs since 1970]
    */
   public MavlinkSigning(String passphrase, LongSupplier unixMicros) {
-    key = sha256(passphrase.getBytes(StandardCharsets.UTF_8));
+    this(sha256(passphrase.getBytes(StandardCharsets.UTF_8)), unixMicros, new SignedStreams());
+  }
+
+  private MavlinkSigning(byte[] key, LongSupplier unixMicros, SignedStreams streams) {
+    this.key = key;
     this.unixMicros = unixMicros;
+    this.streams = streams;
+  }
+
+  /** Another link of the same system: a packet admitted by one is refused by the others. */
+  public MavlinkSigning link() {
+    return new MavlinkSigning(key, unixMicros, streams);
   }
 
   private static byte[] sha256(byte[] text) {
@@ -51,8 +58,7 @@ public final class MavlinkSigning {
   }
 
   /** Signed packet of a payload. */
-  synchronized byte[] sign(
-      int sequence, int system, int component, int message, int crc, byte[] payload) {
+  byte[] sign(int sequence, int system, int component, int message, int crc, byte[] payload) {
     newest = Math.max(newest + 1, wallTicks());
     byte[] frame =
         MavlinkPacket.createSignedMavlink2Packet(
@@ -75,7 +81,7 @@ public final class MavlinkSigning {
   }
 
   /** Reason to reject a frame; empty if admitted, after which its timestamp is used up. */
-  synchronized String refusal(byte[] frame) {
+  String refusal(byte[] frame) {
     boolean isSigned = (frame[0] & 0xFF) == MAGIC_2 && frame[FLAGS] == SIGNED;
     if (!isSigned) {
       return "not signed";
@@ -91,16 +97,10 @@ public final class MavlinkSigning {
     for (int i = end - 1; i >= end - TIMESTAMP; i--) {
       time = time << BYTE | frame[i] & 0xFF; // the least significant byte comes first
     }
-    Long before = streams.get(stream);
-    if (before == null && streams.size() >= MAX_STREAMS) {
-      return "more than " + MAX_STREAMS + " signed streams";
+    String refusal = streams.refusal(stream, time, wallTicks());
+    if (refusal.isEmpty()) {
+      newest = Math.max(newest, Math.min(time, LATEST));
     }
-    long oldest = Math.max(newest, wallTicks()) - NEW_STREAM_TICKS;
-    if (before == null ? time < oldest : time <= before) {
-      return "outdated signature";
-    }
-    streams.put(stream, time);
-    newest = Math.max(newest, time);
-    return "";
+    return refusal;
   }
 }

@@ -32,6 +32,7 @@ public final class MavlinkStream {
   private final Optional<MavlinkSigning> signing;
   private byte[] pending = new byte[0];
   private int sequence;
+  private long consumed;
   private long malformed;
   private String lastRefusal = "";
 
@@ -64,9 +65,31 @@ public final class MavlinkStream {
     this.signing = signing;
   }
 
-  /** Discards a partial frame after an interruption. */
-  public void reset() {
+  /** Discards a partial frame after an interruption; returns its bytes. */
+  public byte[] reset() {
+    byte[] partial = pending;
     pending = new byte[0];
+    return partial;
+  }
+
+  /** Bytes consumed so far; unchanged while a partial frame waits for its rest. */
+  public long consumed() {
+    return consumed;
+  }
+
+  /**
+   * Looks for a message within a partial frame, whose start was then noise. Call only if its rest
+   * is overdue: a message may contain another.
+   */
+  public void resynchronize(Consumer<Received> to) {
+    for (int from = 1; from < pending.length; from++) {
+      int used = step(from, to);
+      if (used > 1) {
+        consume(from + used);
+        accept(new byte[0], 0, to);
+        return;
+      }
+    }
   }
 
   /**
@@ -84,7 +107,12 @@ public final class MavlinkStream {
     while ((used = step(from, to)) > 0) {
       from += used;
     }
-    pending = Arrays.copyOfRange(pending, from, pending.length);
+    consume(from);
+  }
+
+  private void consume(int length) {
+    pending = Arrays.copyOfRange(pending, length, pending.length);
+    consumed += length;
   }
 
   /** Parses at an index; returns the number of bytes consumed, 0 if more are needed. */
@@ -103,7 +131,6 @@ public final class MavlinkStream {
     }
     int flags = magic == MAGIC_2 ? pending[from + 2] & 0xFF : 0;
     if ((flags & ~SIGNED) != 0) {
-      refuse("unknown incompatibility flags " + flags);
       return 1; // the frame must be dropped
     }
     int payload = pending[from + 1] & 0xFF;
@@ -166,7 +193,7 @@ public final class MavlinkStream {
         .getRawBytes();
   }
 
-  /** Number of false frame starts and of messages that cannot be decoded or used. */
+  /** Number of frames with a wrong checksum or signature, or whose message cannot be used. */
   public long malformed() {
     return malformed;
   }

@@ -65,6 +65,56 @@ class MavlinkSigningTest {
   }
 
   @Test
+  void accept_clockOfAStationDecadesAhead_othersAreStillHeard() {
+    AtomicLong ahead = new AtomicLong(NOW_MICROS + 40L * 365 * 86_400 * 1_000_000);
+    assertThat(heard(ping(stream(250, "secret", ahead)))).hasSize(1);
+    assertThat(heard(ping(stream(254, "secret", clock)))).hasSize(1);
+  }
+
+  @Test
+  void accept_clockNeverSet_followsTheStations() {
+    byte[] recorded = ping(stream(255, "secret", clock));
+    clock.addAndGet(61_000_000);
+    MavlinkStream unset = stream(1, "secret", new AtomicLong(86_400_000_000L));
+    byte[] packet = ping(stream(254, "secret", clock));
+    List<Object> heard = new ArrayList<>();
+    unset.accept(packet, packet.length, heard::add);
+    unset.accept(recorded, recorded.length, heard::add);
+    assertThat(heard).hasSize(1);
+    assertThat(timestamp(ping(unset))).isGreaterThan(timestamp(packet));
+  }
+
+  @Test
+  void sign_stationWithTheLatestTimestamp_ourTimestampsGoOn() {
+    AtomicLong last = new AtomicLong((1L << 48) * 10 - 50 + 1_420_070_400_000_000L);
+    assertThat(heard(ping(stream(250, "secret", last)))).hasSize(1);
+    long before = timestamp(ping(vehicle));
+    assertThat(timestamp(ping(vehicle))).isGreaterThan(before).isGreaterThan(1L << 47);
+  }
+
+  @Test
+  void link_packetOfAnotherLink_isRefusedButItsTimeIsNotFollowed() {
+    MavlinkSigning first = new MavlinkSigning("secret", clock::get);
+    MavlinkStream one = new MavlinkStream(1, 1, Optional.of(first));
+    MavlinkStream other = new MavlinkStream(1, 1, Optional.of(first.link()));
+    byte[] packet = ping(stream(250, "secret", new AtomicLong(NOW_MICROS + 3_600_000_000L)));
+    List<Object> heard = new ArrayList<>();
+    one.accept(packet, packet.length, heard::add);
+    other.accept(packet, packet.length, heard::add);
+    assertThat(heard).hasSize(1);
+    assertThat(timestamp(ping(one))).isGreaterThan(timestamp(packet));
+    assertThat(timestamp(ping(other))).isLessThan(timestamp(packet));
+  }
+
+  private static long timestamp(byte[] packet) {
+    long time = 0;
+    for (int i = packet.length - 7; i >= packet.length - 12; i--) {
+      time = time << 8 | packet[i] & 0xFF;
+    }
+    return time;
+  }
+
+  @Test
   void accept_changedAnywhere_isRefused() {
     byte[] packet = ping(stream(255, "secret", clock));
     for (int i = 0; i < packet.length; i++) {

@@ -13,14 +13,14 @@ import org.u2sa.gcs.mavlink.telemetry.Placement;
 import org.u2sa.gcs.mavlink.telemetry.Telemetry;
 import org.u2sa.gcs.mavlink.telemetry.Uptime;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
+import org.u2sa.gcs.mavlink.vehicle.OrdersUnderWay;
 import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
-import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
 import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 import org.u2sa.gcs.mavlink.vehicle.VehicleSurroundings;
 
 /** The vehicle and its identity, shared by all stations of a bridge. */
 final class BridgedVehicle {
-  final VehicleOrders orders;
+  final OrdersUnderWay orders;
   final VehicleStatus model;
   final VehicleSurroundings surroundings;
   final Identity identity;
@@ -42,7 +42,7 @@ final class BridgedVehicle {
    * @param clock real time [µs since 1970]
    */
   BridgedVehicle(
-      VehicleOrders orders,
+      OrdersUnderWay orders,
       Identity identity,
       Optional<VehicleKind> kind,
       String systemId,

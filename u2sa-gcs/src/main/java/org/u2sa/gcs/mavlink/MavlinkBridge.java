@@ -12,7 +12,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.u2sa.gcs.mavlink.event.VehicleEvents;
 import org.u2sa.gcs.mavlink.file.RecordingFolder;
-import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
+import org.u2sa.gcs.mavlink.vehicle.OrdersUnderWay;
 import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 import org.u2sa.gcs.mavlink.vehicle.VehicleSurroundings;
 import org.u2sa.gcs.remote.Operator;
@@ -57,7 +57,7 @@ public final class MavlinkBridge implements AutoCloseable {
     this.console = console;
     vehicle =
         new BridgedVehicle(
-            new VehicleOrders(link::publish, "mavlink:" + Operator.name()),
+            new OrdersUnderWay(link::publish, "mavlink:" + Operator.name()),
             options.identity(),
             options.kind(),
             link.systemId(),

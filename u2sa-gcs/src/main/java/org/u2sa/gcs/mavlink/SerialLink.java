@@ -1,5 +1,6 @@
 package org.u2sa.gcs.mavlink;
 
+import java.io.IOException;
 import java.util.List;
 import org.u2sa.interfaces.communication.SerialLine;
 
@@ -13,13 +14,11 @@ final class SerialLink implements StationLink {
   private static final double BURST_S = 0.05;
   private static final double ROOM_S = 0.1;
   private static final int LARGEST_PACKET = 293; // MAVLink 2, signed
-  private static final int CHUNK = 1024;
-  private static final int CHUNKS_PER_TURN = 8;
 
   private final SerialLine line;
   private final StationSession session;
   private final double bytesPerS;
-  private final byte[] buffer = new byte[CHUNK];
+  private final StationReader reader = new StationReader();
   private double allowed; // bytes that may be sent; negative if the last packet was longer
   private long filledMicros = Long.MIN_VALUE;
 
@@ -31,14 +30,8 @@ final class SerialLink implements StationLink {
   }
 
   @Override
-  public void exchange(long nowMicros) {
-    for (int i = 0; i < CHUNKS_PER_TURN && session.allowance(nowMicros) >= CHUNK; i++) {
-      int length = line.read(buffer);
-      if (length <= 0) {
-        break;
-      }
-      session.receive(buffer, length, nowMicros);
-    }
+  public void exchange(long nowMicros) throws IOException {
+    reader.read(line::read, session, nowMicros);
     if (filledMicros != Long.MIN_VALUE) {
       double passedS = (nowMicros - filledMicros) / MICROS_PER_S;
       allowed = Math.min(bytesPerS * BURST_S, allowed + bytesPerS * passedS);

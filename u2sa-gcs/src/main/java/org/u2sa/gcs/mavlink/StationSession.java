@@ -22,13 +22,14 @@ import org.u2sa.gcs.mavlink.plan.MissionService;
 import org.u2sa.gcs.mavlink.station.GroundStation;
 import org.u2sa.gcs.mavlink.station.StatusTexts;
 import org.u2sa.gcs.mavlink.telemetry.MessageRates;
+import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.mavlink.MavlinkSigning;
 import org.u2sa.mavlink.MavlinkStream;
 
 /**
- * One station: decodes its packets, passes them to the microservices, and queues packets for it.
- * Confined to the bridge's thread.
+ * One station: passes its messages to the microservices, and queues packets for it. Confined to the
+ * bridge's thread.
  */
 final class StationSession implements GroundStation {
   private static final int QUEUE_BYTES = 256 * 1024;
@@ -36,6 +37,8 @@ final class StationSession implements GroundStation {
   private static final long NANOS = 1000;
 
   private final MavlinkStream stream;
+  private final StationInput input;
+  private final VehicleOrders orders;
   private final BridgedVehicle vehicle;
   private final MessageTargets targets;
   private final MessageRates rates;
@@ -47,7 +50,6 @@ final class StationSession implements GroundStation {
   private final StickInput sticks;
   private final EventTransfer events;
   private final StatusTexts texts = new StatusTexts();
-  private final ByteAllowance allowance = new ByteAllowance();
   private final Deque<byte[]> queue = new ArrayDeque<>();
   private int queuedBytes;
   private int roomBytes = USUAL_ROOM_BYTES;
@@ -56,12 +58,14 @@ final class StationSession implements GroundStation {
 
   StationSession(BridgedVehicle vehicle, Optional<MavlinkSigning> signing) {
     this.vehicle = vehicle;
-    stream = new MavlinkStream(vehicle.mavlinkId, AUTOPILOT, signing);
+    stream = new MavlinkStream(vehicle.mavlinkId, AUTOPILOT, signing.map(MavlinkSigning::link));
+    input = new StationInput(stream, this::take);
+    orders = new VehicleOrders(vehicle.orders);
     targets = new MessageTargets(vehicle.mavlinkId);
     rates = new MessageRates(vehicle.telemetry);
     boolean casts = vehicle.identity.castsParameters();
-    parameters = new ParameterService(vehicle.model, vehicle.orders, this, casts);
-    mission = new MissionService(vehicle.model, vehicle.orders, vehicle.book, vehicle.fences, this);
+    parameters = new ParameterService(vehicle.model, orders, this, casts);
+    mission = new MissionService(vehicle.model, orders, vehicle.book, vehicle.fences, this);
     transfer = new FileTransfer(vehicle.files, this);
     logs = new LogDownload(vehicle.files, this);
     events = new EventTransfer(vehicle.events, this);
@@ -69,29 +73,19 @@ final class StationSession implements GroundStation {
     IntFunction<String> drivers = station -> vehicle.orders.driver(connection, station);
     sticks =
         new StickInput(
-            vehicle.model,
-            vehicle.orders,
-            drivers,
-            vehicle.mavlinkId,
-            vehicle.uptime::unixMicros,
-            this);
+            vehicle.model, orders, drivers, vehicle.mavlinkId, vehicle.uptime::unixMicros, this);
     commands =
         new CommandService(
             this,
             new MessageCommands(vehicle.telemetry, rates, vehicle.identity, vehicle.systemId, this),
             new VehicleCommands(
-                vehicle.model,
-                vehicle.orders,
-                vehicle.identity,
-                vehicle.placement,
-                vehicle.book,
-                drivers),
+                vehicle.model, orders, vehicle.identity, vehicle.placement, vehicle.book, drivers),
             vehicle.identity);
   }
 
-  /** Number of bytes that may be received at present. */
-  int allowance(long micros) {
-    return allowance.left(micros);
+  /** Whether messages are handled at present, or what arrives is dropped but for a stop. */
+  boolean isOpen(long micros) {
+    return input.isOpen(micros);
   }
 
   /** Whether a valid packet has arrived (signed, if required). */
@@ -99,27 +93,23 @@ final class StationSession implements GroundStation {
     return isHeard;
   }
 
-  /** Bytes were lost: the rest of a packet will not arrive. */
-  void interrupted() {
-    stream.reset();
-  }
-
   /** Handles received bytes. */
   void receive(byte[] bytes, int length, long micros) {
     mission.step(micros);
-    allowance.use(length);
-    long before = stream.malformed();
-    stream.accept(bytes, length, this::take);
-    allowance.useMessages(stream.malformed() - before);
+    input.take(bytes, length, micros);
   }
 
-  private void take(MavlinkStream.Received received) {
+  /** The station has left. */
+  void close() {
+    orders.close();
+  }
+
+  private boolean take(MavlinkStream.Received received) {
     boolean isForged = received.systemId() == vehicle.mavlinkId || received.systemId() == 0;
     if (isForged || !targets.include(received.payload())) {
-      return;
+      return false;
     }
     isHeard = true;
-    allowance.useMessages(1);
     Object message = received.payload();
     Sender from = new Sender(received.systemId(), received.componentId());
     try {
@@ -135,6 +125,7 @@ final class StationSession implements GroundStation {
     } catch (CommunicationException e) {
       text(MavSeverity.MAV_SEVERITY_ERROR, e.getMessage());
     }
+    return true;
   }
 
   @SuppressWarnings("deprecation") // stations still send these
@@ -171,6 +162,7 @@ final class StationSession implements GroundStation {
 
   /** Sends due messages: telemetry and bulk messages take turns on a slow link. */
   void step(long micros) {
+    input.step(micros);
     events.step();
     boolean isTelemetryFirst = steps++ % 2 == 0;
     if (isTelemetryFirst) {

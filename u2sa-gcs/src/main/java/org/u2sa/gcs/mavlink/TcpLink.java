@@ -15,18 +15,14 @@ import java.util.function.Supplier;
 import org.u2sa.mavlink.MavlinkStream;
 
 /**
- * Stations that connect by TCP. What a station sends beyond its allowance is dropped, as by UDP:
- * left in the socket, sticks would steer after their time, and a stop would wait behind them. One
- * that does not read is disconnected. If all places are taken, a new station replaces the oldest
- * connection that has sent no valid packet, so silent clients and clients without the key cannot
- * lock operators out. One that begins with anything but a packet is disconnected: a page in a
- * browser of this host can send an HTTP request to any port, with packets in its body.
+ * Stations that connect by TCP. One that does not read is disconnected. If all places are taken, a
+ * new station replaces the oldest connection that has sent no valid packet, so silent clients and
+ * clients without the key cannot lock operators out. One that begins with anything but a packet is
+ * disconnected: a page in a browser of this host can send an HTTP request to any port, with packets
+ * in its body.
  */
 final class TcpLink implements StationLink {
   private static final int MAX_STATIONS = 16;
-  private static final int CHUNK = 4096;
-  private static final int CHUNKS_PER_TURN = 4;
-  private static final int DROPPED_PER_TURN = 64;
   private static final long STUCK_MICROS = 10_000_000;
 
   /** A connected station. */
@@ -42,13 +38,28 @@ final class TcpLink implements StationLink {
       this.session = session;
       wroteMicros = nowMicros;
     }
+
+    /** Reads; the end if it begins with anything but a packet. */
+    private int read(byte[] bytes) throws IOException {
+      int length = channel.read(ByteBuffer.wrap(bytes));
+      if (length > 0 && !began && !MavlinkStream.isMagic(bytes[0])) {
+        return -1;
+      }
+      began |= length > 0;
+      return length;
+    }
+
+    private void close() throws IOException {
+      session.close();
+      channel.close();
+    }
   }
 
   private final ServerSocketChannel server;
   private final Selector selector;
   private final Supplier<StationSession> sessions;
   private final List<Peer> peers = new ArrayList<>();
-  private final ByteBuffer buffer = ByteBuffer.allocate(CHUNK);
+  private final StationReader reader = new StationReader();
 
   TcpLink(InetSocketAddress address, Supplier<StationSession> sessions, Selector selector)
       throws IOException {
@@ -67,7 +78,7 @@ final class TcpLink implements StationLink {
     while (all.hasNext()) {
       Peer peer = all.next();
       if (!isAlive(peer, nowMicros)) {
-        peer.channel.close();
+        peer.close();
         all.remove();
       }
     }
@@ -97,7 +108,7 @@ final class TcpLink implements StationLink {
   private boolean hasPlace() throws IOException {
     for (int i = 0; i < peers.size() && peers.size() >= MAX_STATIONS; i++) {
       if (!peers.get(i).session.isHeard()) { // oldest first
-        peers.remove(i).channel.close();
+        peers.remove(i).close();
       }
     }
     return peers.size() < MAX_STATIONS;
@@ -112,31 +123,10 @@ final class TcpLink implements StationLink {
   }
 
   private boolean read(Peer peer, long nowMicros) throws IOException {
-    int allowed = peer.session.allowance(nowMicros);
+    boolean goesOn = reader.read(peer::read, peer.session, nowMicros);
     SelectionKey key = peer.channel.keyFor(selector);
-    key.interestOps(allowed >= CHUNK ? SelectionKey.OP_READ : 0);
-    int handled = 0;
-    for (int i = 0; i < DROPPED_PER_TURN && handled < CHUNKS_PER_TURN; i++) {
-      buffer.clear();
-      int length = peer.channel.read(buffer);
-      if (length < 0) {
-        return false;
-      }
-      if (length == 0) {
-        return true;
-      }
-      if (!peer.began && !MavlinkStream.isMagic(buffer.get(0))) {
-        return false;
-      }
-      peer.began = true;
-      if (peer.session.allowance(nowMicros) >= CHUNK) {
-        peer.session.receive(buffer.array(), length, nowMicros);
-        handled++;
-      } else {
-        peer.session.interrupted();
-      }
-    }
-    return true;
+    key.interestOps(peer.session.isOpen(nowMicros) ? SelectionKey.OP_READ : 0); // else every turn
+    return goesOn;
   }
 
   private boolean write(Peer peer, long nowMicros) throws IOException {
@@ -169,7 +159,7 @@ final class TcpLink implements StationLink {
   @Override
   public void close() throws IOException {
     for (Peer peer : peers) {
-      peer.channel.close();
+      peer.close();
     }
     server.close();
   }

@@ -10,12 +10,9 @@ import java.util.List;
 
 /** One station by UDP; datagrams from other addresses are ignored. */
 final class UdpLink implements StationLink {
-  private static final int LARGEST = 4096;
-  private static final int PER_TURN = 64;
-
   private final DatagramChannel channel;
   private final StationSession session;
-  private final ByteBuffer buffer = ByteBuffer.allocate(LARGEST);
+  private final StationReader reader = new StationReader();
 
   UdpLink(InetSocketAddress station, StationSession session, Selector selector) throws IOException {
     this.session = session;
@@ -28,16 +25,7 @@ final class UdpLink implements StationLink {
   @Override
   public void exchange(long nowMicros) {
     try {
-      for (int i = 0; i < PER_TURN; i++) {
-        buffer.clear();
-        int length = channel.read(buffer);
-        if (length <= 0) {
-          break;
-        }
-        if (length <= session.allowance(nowMicros)) { // else a flood: dropped, as UDP may
-          session.receive(buffer.array(), length, nowMicros);
-        }
-      }
+      reader.read(bytes -> channel.read(ByteBuffer.wrap(bytes)), session, nowMicros);
       send();
     } catch (IOException e) {
       return; // no station listens there yet, or its network is down; it will receive later packets

@@ -11,8 +11,8 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.Collectors;
 import org.u2sa.gcs.mavlink.file.RecordingFolder;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
+import org.u2sa.gcs.mavlink.vehicle.OrdersUnderWay;
 import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
-import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
 import org.u2sa.mavlink.MavlinkSigning;
 import org.u2sa.mavlink.MavlinkStream;
 import org.u2sa.messages.StateInformation;
@@ -52,8 +52,8 @@ final class BridgeKit {
       VehicleKind kind,
       Optional<String> key,
       Optional<RecordingFolder> recordings) {
-    VehicleOrders orders =
-        new VehicleOrders((channel, message) -> published.add(message), "tester");
+    OrdersUnderWay orders =
+        new OrdersUnderWay((channel, message) -> published.add(message), "tester");
     vehicle =
         new BridgedVehicle(orders, identity, Optional.of(kind), "boat", 1, recordings, clock::get);
     session = new StationSession(vehicle, key.map(each -> new MavlinkSigning(each, clock::get)));

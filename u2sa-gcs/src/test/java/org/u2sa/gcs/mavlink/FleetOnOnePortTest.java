@@ -20,8 +20,8 @@ import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
+import org.u2sa.gcs.mavlink.vehicle.OrdersUnderWay;
 import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
-import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
 import org.u2sa.mavlink.MavlinkStream;
 import org.u2sa.messages.StateInformation;
 
@@ -43,7 +43,7 @@ class FleetOnOnePortTest {
   private Member member(int id, InetSocketAddress address, Selector selector) throws IOException {
     BridgedVehicle vehicle =
         new BridgedVehicle(
-            new VehicleOrders((channel, message) -> {}, "tester"),
+            new OrdersUnderWay((channel, message) -> {}, "tester"),
             Identity.PX4,
             Optional.of(VehicleKind.ROVER),
             "rover" + id,

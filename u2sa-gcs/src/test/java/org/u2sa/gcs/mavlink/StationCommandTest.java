@@ -42,6 +42,16 @@ class StationCommandTest {
   }
 
   @Test
+  void command_disarmWhileArmingIsUnanswered_isNotTakenForItsRepetition() {
+    kit.command(400, 1.0);
+    kit.command(400, 1.0);
+    kit.command(400, 0.0);
+    assertThat(kit.orders(ArmCommand.class))
+        .extracting(ArmCommand::arm)
+        .containsExactly(true, false);
+  }
+
+  @Test
   void arm_accepted_isAnsweredWhenTheVehicleIsArmed() {
     kit.command(ARM, 1);
     assertThat(kit.received(CommandAck.class)).isEmpty();

@@ -6,24 +6,30 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import io.dronefleet.mavlink.common.Attitude;
 import io.dronefleet.mavlink.common.CommandAck;
 import io.dronefleet.mavlink.common.CommandLong;
+import io.dronefleet.mavlink.common.ManualControl;
 import io.dronefleet.mavlink.common.MavCmd;
 import io.dronefleet.mavlink.common.ParamRequestList;
 import io.dronefleet.mavlink.common.ParamValue;
 import io.dronefleet.mavlink.minimal.Heartbeat;
 import io.dronefleet.mavlink.util.EnumValue;
 import java.io.ByteArrayOutputStream;
+import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HexFormat;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.communication.SerialLine;
 import org.u2sa.mavlink.MavlinkStream;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.ConfigurationResponse;
 import org.u2sa.messages.contract.ConfigurationVariable;
+import org.u2sa.messages.safety.EmergencyStop;
 
 /** A slow serial line, whose other end the test holds. */
 class StationSerialTest {
@@ -44,9 +50,9 @@ class StationSerialTest {
 
     @Override
     public int read(byte[] buffer) {
-      int length = toBridge.length;
+      int length = Math.min(buffer.length, toBridge.length);
       System.arraycopy(toBridge, 0, buffer, 0, length);
-      toBridge = new byte[0];
+      toBridge = Arrays.copyOfRange(toBridge, length, toBridge.length);
       return length;
     }
 
@@ -64,7 +70,7 @@ class StationSerialTest {
     }
   }
 
-  private void pass(double seconds) {
+  private void pass(double seconds) throws IOException {
     for (int turn = 0; turn < seconds * 1.0e6 / TURN_MICROS; turn++) {
       long now = kit.clock.addAndGet(TURN_MICROS);
       kit.says(
@@ -91,7 +97,8 @@ class StationSerialTest {
   }
 
   @Test
-  void exchange_moreTelemetryThanTheLineCarries_keepsToItsRateAndStarvesNoMessage() {
+  void exchange_moreTelemetryThanTheLineCarries_keepsToItsRateAndStarvesNoMessage()
+      throws IOException {
     pass(10.0);
     received.clear();
     bytes = 0;
@@ -104,7 +111,7 @@ class StationSerialTest {
   }
 
   @Test
-  void exchange_parametersBesideTelemetry_bothGoOn() {
+  void exchange_parametersBesideTelemetry_bothGoOn() throws IOException {
     kit.says(
         new ConfigurationResponse()
             .serviceName("Control")
@@ -128,7 +135,7 @@ class StationSerialTest {
   }
 
   @Test
-  void exchange_command_isAnsweredWithinHalfASecondOnAFullLine() {
+  void exchange_command_isAnsweredWithinHalfASecondOnAFullLine() throws IOException {
     pass(10.0);
     received.clear();
     cable.toBridge =
@@ -142,8 +149,86 @@ class StationSerialTest {
     assertThat(count(CommandAck.class)).isEqualTo(1);
   }
 
+  private static final CommandLong STOP =
+      CommandLong.builder()
+          .targetSystem(1)
+          .targetComponent(1)
+          .command(MavCmd.MAV_CMD_DO_FLIGHTTERMINATION)
+          .param1(1.0f)
+          .build();
+
+  private void send(byte[]... parts) {
+    ByteArrayOutputStream all = new ByteArrayOutputStream();
+    for (byte[] part : parts) {
+      all.writeBytes(part);
+    }
+    cable.toBridge = all.toByteArray();
+  }
+
+  private static byte[] repeated(byte[] part, int times) {
+    ByteArrayOutputStream all = new ByteArrayOutputStream();
+    for (int i = 0; i < times; i++) {
+      all.writeBytes(part);
+    }
+    return all.toByteArray();
+  }
+
+  /** As a line's buffer holds them after seconds of sticks faster than the allowance. */
   @Test
-  void exchange_unpluggedForAMinute_sendsNothingOldWhenItIsBack() {
+  void exchange_stopBehindMoreSticksThanAllowed_isObeyedAtOnceAndNoStickWaits() throws IOException {
+    byte[] stick =
+        station.encode(
+            ManualControl.builder()
+                .target(1)
+                .x(600)
+                .buttons(0xFFFF)
+                .enabledExtensions(255)
+                .build());
+    send(repeated(stick, 3_000), station.encode(STOP), repeated(stick, 100));
+    pass(0.03);
+
+    assertThat(cable.toBridge).isEmpty();
+    assertThat(kit.orders(EmergencyStop.class)).hasSize(1);
+  }
+
+  @Test
+  void exchange_stopAfterTheAllowanceInPieces_isObeyed() throws IOException {
+    byte[] ask = station.encode(StationPackets.requestVersion());
+    byte[] stop = station.encode(STOP);
+    send(repeated(ask, 2_000));
+    pass(0.05);
+    send(Arrays.copyOf(stop, 20));
+    pass(0.01);
+    send(Arrays.copyOfRange(stop, 20, stop.length));
+    pass(0.01);
+    assertThat(kit.orders(EmergencyStop.class)).hasSize(1);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"FDFF", "FE", "FD2101000000004C0000"})
+  void exchange_noiseThatLooksLikePackets_holdsUpNeitherAStopNorLongACommand(String noise)
+      throws IOException {
+    byte[] pattern = HexFormat.of().parseHex(noise);
+    send(repeated(pattern, 64 * 1024 / pattern.length), station.encode(STOP));
+    pass(1.0);
+    assertThat(kit.orders(EmergencyStop.class)).hasSize(1);
+
+    received.clear();
+    send(station.encode(StationPackets.requestVersion()));
+    pass(0.7);
+    assertThat(count(CommandAck.class)).isGreaterThanOrEqualTo(1);
+  }
+
+  /** The start of a packet of 280 bytes that nobody sends. */
+  @Test
+  void exchange_stopBehindAFalseStart_isObeyedThoughNothingFollows() throws IOException {
+    send(new byte[] {(byte) 0xFD, (byte) 0xFF, 0}, station.encode(STOP));
+    pass(0.7);
+    assertThat(kit.orders(EmergencyStop.class)).hasSize(1);
+  }
+
+  @Test
+  void exchange_unpluggedForAMinute_sendsNothingOldWhenItIsBack() throws IOException {
     cable.isPlugged = false;
     pass(60.0);
     cable.isPlugged = true;

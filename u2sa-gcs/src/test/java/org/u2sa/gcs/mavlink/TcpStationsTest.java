@@ -200,7 +200,7 @@ class TcpStationsTest {
       StationSession session = connect(link, sockets);
       try (Socket socket = sockets.get(0)) {
         socket.getOutputStream().write(starts);
-        turnUntil(link, () -> session.allowance(kit.clock.get()) < 0);
+        turnUntil(link, () -> !session.isOpen(kit.clock.get()));
       }
     }
   }

@@ -25,7 +25,7 @@ public final class CommandService {
   private final MessageCommands messages;
   private final VehicleCommands vehicle;
   private final Identity identity;
-  private final Set<Integer> pending = new HashSet<>();
+  private final Set<Command> pending = new HashSet<>();
 
   public CommandService(
       GroundStation station, MessageCommands messages, VehicleCommands vehicle, Identity identity) {
@@ -56,7 +56,7 @@ public final class CommandService {
       acknowledge(command.id(), immediate.get(), from);
       return;
     }
-    if (!pending.add(command.id())) {
+    if (!pending.add(command)) {
       return; // repeated before the first was answered
     }
     boolean isKnown =
@@ -66,11 +66,11 @@ public final class CommandService {
             answer(
                 "command " + name(command.id()) + " refused",
                 result -> {
-                  pending.remove(command.id());
+                  pending.remove(command);
                   acknowledge(command.id(), result, from);
                 }));
     if (!isKnown) {
-      pending.remove(command.id());
+      pending.remove(command);
       acknowledge(command.id(), MavResult.MAV_RESULT_UNSUPPORTED, from);
     }
   }

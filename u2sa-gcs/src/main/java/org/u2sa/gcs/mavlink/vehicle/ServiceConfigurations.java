@@ -58,7 +58,7 @@ public final class ServiceConfigurations {
   }
 
   /** Asks the services whose configuration has changed. */
-  void refresh(VehicleOrders orders) {
+  void refresh(OrdersUnderWay orders) {
     for (String service : List.copyOf(changed)) {
       changed.remove(service);
       orders.tell(Channels.CONFIGURATION, new ConfigurationRequest().serviceName(service));

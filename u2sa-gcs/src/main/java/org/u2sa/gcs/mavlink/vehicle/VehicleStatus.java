@@ -69,7 +69,7 @@ public final class VehicleStatus {
 
   private final LongSupplier micros;
   private final Optional<VehicleKind> statedKind;
-  private final VehicleOrders orders;
+  private final OrdersUnderWay orders;
   private final PlannerModes planners = new PlannerModes();
   private final ServiceConfigurations configurations = new ServiceConfigurations();
   private final Set<String> stops = ConcurrentHashMap.newKeySet();
@@ -91,7 +91,7 @@ public final class VehicleStatus {
    * @param statedKind kind of the vehicle; empty: determined by its control service
    */
   public VehicleStatus(
-      LongSupplier micros, Optional<VehicleKind> statedKind, VehicleOrders orders) {
+      LongSupplier micros, Optional<VehicleKind> statedKind, OrdersUnderWay orders) {
     this.micros = micros;
     this.statedKind = statedKind;
     this.orders = orders;

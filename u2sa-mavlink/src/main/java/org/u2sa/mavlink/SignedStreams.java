@@ -1,0 +1,47 @@
+package org.u2sa.mavlink;
+
+import java.util.HashMap;
+import java.util.Map;
+
+/**
+ * Streams of signed packets. A packet is admitted once: each stream's timestamps must increase, and
+ * those of a new stream must not be more than a minute old. Thread-safe.
+ *
+ * <p>The age is measured by the vehicle's clock, so that no station with a clock ahead makes others
+ * outdated. Only a clock that has not been set follows the newest timestamp. A system's streams
+ * that have become outdated make room for others; their packets are then too old for a new stream.
+ */
+final class SignedStreams {
+  private static final long NEW_STREAM_TICKS = 6_000_000; // a minute
+  private static final int MAX_STREAMS = 64; // of a system
+  private static final int SYSTEM_SHIFT = 16;
+
+  private final Map<Integer, Map<Integer, Long>> systems = new HashMap<>(); // newest timestamps
+  private long newest;
+
+  /**
+   * Reason to reject a packet; empty if admitted, after which its timestamp is used up.
+   *
+   * @param stream system, component and link ID, a byte each
+   * @param time the packet's timestamp
+   * @param now the vehicle's clock [10 µs since 2015]; negative if it has not been set
+   */
+  synchronized String refusal(int stream, long time, long now) {
+    Map<Integer, Long> streams =
+        systems.computeIfAbsent(stream >> SYSTEM_SHIFT, system -> new HashMap<>());
+    long oldest = (now > 0 ? now : newest) - NEW_STREAM_TICKS;
+    Long before = streams.get(stream);
+    if (before == null ? time < oldest : time <= before) {
+      return "outdated signature";
+    }
+    if (before == null && streams.size() >= MAX_STREAMS) {
+      streams.values().removeIf(each -> each < oldest);
+      if (streams.size() >= MAX_STREAMS) {
+        return "more than " + MAX_STREAMS + " signed streams of one system";
+      }
+    }
+    streams.put(stream, time);
+    newest = Math.max(newest, time);
+    return "";
+  }
+}
