@@ -73,7 +73,7 @@ final class FilterState {
   final double[] x = new double[SIZE];
   final DMatrixRMaj p = new DMatrixRMaj(N, N);
   final double[] search = new double[17]; // HeadingSearch's numbers
-  final double[] sightings = new double[36]; // Sightings' numbers: three per landmark
+  final double[] sightings = new double[36]; // three numbers per landmark, see PersistentErrors
   double[] trust = new double[0]; // SourceTrust's numbers
   long micros;
   boolean isStarted;

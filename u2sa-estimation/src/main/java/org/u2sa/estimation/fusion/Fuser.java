@@ -260,7 +260,7 @@ final class Fuser {
       update.weigh(linear, SourceTrust.factor(s, at) * repeats);
     }
     if (quantity == SensedQuantity.LANDMARK) {
-      update.weigh(linear, SourceTrust.factor(s, at) * Sightings.repeats(s, m));
+      update.weigh(linear, SourceTrust.factor(s, at) * PersistentErrors.repeatsOfSighting(s, m));
     }
     update.apply(s, linear);
     count(s, at, SourceTrust.USED);
