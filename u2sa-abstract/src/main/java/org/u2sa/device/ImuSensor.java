@@ -9,6 +9,7 @@ import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.InertialMeasurement;
+import org.u2sa.messages.SensorParts;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -79,7 +80,7 @@ public final class ImuSensor extends DeviceSensor<Orientation> {
             .specificForceY(force.y())
             .specificForceZ(force.z())
             .specificForceSigma(tuning.get().forceSigma());
-    inertial.sensorName(sensorName() + InertialMeasurement.SUFFIX);
+    inertial.sensorName(sensorName() + SensorParts.INERTIAL);
     return inertial;
   }
 

@@ -17,6 +17,7 @@ import org.u2sa.estimation.measurement.MeasurementReader;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.SensorParts;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.service.ServiceContext;
@@ -204,6 +205,7 @@ public final class FusingStateEstimator extends StateEstimator {
   private void remarkUnheard() {
     Set<String> unheard = variables.sensors();
     unheard.removeAll(newest.keySet());
+    newest.keySet().forEach(source -> unheard.remove(SensorParts.sensor(source)));
     if (reports < UNHEARD_AFTER_REPORTS || unheard.isEmpty()) {
       remark(UNHEARD, "");
       return;

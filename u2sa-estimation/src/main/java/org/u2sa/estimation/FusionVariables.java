@@ -105,7 +105,7 @@ record FusionVariables(
         boolean startWithoutReceiver,
     @Variable(ifAbsentText = "")
         @Description(
-            "Positions of sensors away from the vehicle's reference point: \"SENSOR NAME = FORWARD LEFT DOWN; …\" in metres, like MOUNTED X, Y, Z of other sensors.")
+            "Positions of sensors away from the vehicle's reference point: \"SENSOR NAME = FORWARD LEFT DOWN; …\" in metres, like MOUNTED X, Y, Z of other sensors. A name covers all parts of a sensor, such as \"ImuSensor inertial\".")
         String leverArms,
     @Variable(ifAbsentText = "")
         @Description(

@@ -4,6 +4,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.messages.SensorParts;
 
 /**
  * Mounting positions of sensors on the vehicle, by sensor name, parsed from a configuration text.
@@ -64,7 +65,8 @@ final class LeverArms {
 
   /** Adds the sensor's mounting position to a measurement. */
   Measurement place(Measurement m) {
-    double[] arm = arms.get(m.source());
-    return arm == null ? m : m.mounted(arm[0], -arm[1], arm[2]); // the filter's y points right
+    return SensorParts.value(arms, m.source())
+        .map(arm -> m.mounted(arm[0], -arm[1], arm[2])) // the filter's y points right
+        .orElse(m);
   }
 }

@@ -3,6 +3,7 @@ package org.u2sa.estimation;
 import java.util.OptionalDouble;
 import java.util.Set;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.SensorParts;
 import org.u2sa.messages.StateInformation;
 
 /**
@@ -51,7 +52,10 @@ final class SailDrift {
    */
   StateInformation throughWater(StateInformation sensed) {
     OptionalDouble wind = sensed.fluidyDot(); // of the boat through the air
-    if (!windSensors.contains(sensed.sensorName()) || wind.isEmpty()) {
+    boolean isNamed =
+        windSensors.contains(sensed.sensorName())
+            || windSensors.contains(SensorParts.sensor(sensed.sensorName()));
+    if (!isNamed || wind.isEmpty()) {
       return sensed;
     }
     long now = sensed.timestamp().orElseThrow();

@@ -12,6 +12,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.AircraftState;
 import org.u2sa.messages.InertialMeasurement;
+import org.u2sa.messages.SensorParts;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.frame.Geodetic;
@@ -133,6 +134,15 @@ class FusingStateEstimatorTest {
         .asString()
         .endsWith("have not reported: Gps; these have: Compass, GPS");
     assertThat(kit.log("StateEstimator")).filteredOn(l -> l.contains("LEVER ARMS")).hasSize(1);
+  }
+
+  @Test
+  void leverArms_sensorOfWhichOnlyAPartReports_isHeard() {
+    kit.with("LEVER ARMS", "IMU = 0.2 0 -0.5").start(FusingStateEstimator::new);
+    sense(new InertialMeasurement().yawRate(0.0).sensorName("IMU" + SensorParts.INERTIAL));
+    drive(15.0);
+
+    assertThat(remarks()).noneMatch(remark -> remark.contains("LEVER ARMS"));
   }
 
   /** Standing with the wind from behind, a pitot tube shows noise. */
@@ -272,7 +282,7 @@ class FusingStateEstimatorTest {
               .specificForceX(0.0)
               .specificForceY(0.0)
               .specificForceZ(-9.793);
-      imu.sensorName("IMU" + InertialMeasurement.SUFFIX);
+      imu.sensorName("IMU" + SensorParts.INERTIAL);
       sense(imu);
       sense(
           new StateInformation()

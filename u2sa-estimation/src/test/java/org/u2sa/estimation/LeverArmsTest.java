@@ -1,11 +1,13 @@
 package org.u2sa.estimation;
 
+import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatCode;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.u2sa.estimation.measurement.Measurement;
 
 /** The text of LEVER ARMS. */
 class LeverArmsTest {
@@ -14,6 +16,13 @@ class LeverArmsTest {
     assertThatCode(() -> new LeverArms("")).doesNotThrowAnyException();
     assertThatCode(() -> new LeverArms("IoioService GPS = 0.4 0 -0.6; DVL=-0.2 0 0.1;"))
         .doesNotThrowAnyException();
+  }
+
+  @ParameterizedTest
+  @CsvSource({"IMU, 1", "IMU inertial, 1", "GPS, 2", "GPS position, 3", "IMU 2, 0", "Inertial, 0"})
+  void place_partOfASensor_hasTheArmOfItsOwnNameElseOfTheSensor(String source, double forward) {
+    LeverArms arms = new LeverArms("IMU = 1 0 0; GPS = 2 0 0; GPS position = 3 0 0");
+    assertThat(arms.place(new Measurement().begin(source, 0)).mounted(0)).isEqualTo(forward);
   }
 
   @ParameterizedTest

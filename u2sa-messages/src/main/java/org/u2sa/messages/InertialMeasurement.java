@@ -14,9 +14,6 @@ import org.u2sa.messages.schema.Schema;
  * does not know this class receives a StateInformation.
  */
 public class InertialMeasurement extends StateInformation {
-  /** Suffix to the sensor's name: distinguishes this source from that of its state. */
-  public static final String SUFFIX = " inertial";
-
   private static final Schema<InertialMeasurement> SCHEMA =
       Schema.of(InertialMeasurement.class, InertialMeasurement::blank, StateInformation.TYPE);
   private static final NumberField<InertialMeasurement> ROLL_RATE =

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.SensorParts;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.cbor.MalformedMessageException;
 import org.u2sa.messages.frame.Geodetic;
@@ -185,6 +186,37 @@ class MappedObjectsTest {
     assertThat(world.objects())
         .extracting(ObjectDescription::uid)
         .containsExactlyInAnyOrder("b", "c");
+  }
+
+  @Test
+  void fieldsOfView_misspeltSensor_isNamedInHealth() {
+    world
+        .kit
+        .with("MODELLERS", "OBJECTS")
+        .with("FIELDS OF VIEW", "Camera: 9 deg, 1 m; Cam: 9 deg, 1 m");
+    world.kit.start(WorldModeler::new);
+    world.tick(local(0.0, 0.0, 0.0), seen("a", 5.0, 0.0));
+    world.tick(local(0.0, 0.0, 0.0));
+    world.kit.advance(1.0);
+    assertThat(world.remarks())
+        .contains("no sightings from [Cam] in FIELDS OF VIEW, only from [Camera]");
+  }
+
+  @Test
+  void objects_goneFromTheFieldOfViewOfAScanner_areDropped() {
+    world.kit.with("MODELLERS", "OBJECTS").with("FIELDS OF VIEW", "Lidar: 90 deg, 10 m");
+    world.kit.start(WorldModeler::new);
+    String source = "Lidar" + SensorParts.OBJECTS;
+    for (int i = 0; i < 5; i++) {
+      world.tick(
+          local(0.0, 0.0, 0.0),
+          seen("a", 5.0, 0.0).sensorName(source),
+          seen("b", 5.0, 3.0).sensorName(source));
+    }
+    for (int i = 0; i < 6; i++) {
+      world.tick(local(0.0, 0.0, 0.0), seen("b", 5.0, 3.0).sensorName(source));
+    }
+    assertThat(world.objects()).extracting(ObjectDescription::uid).containsExactly("b");
   }
 
   @Test

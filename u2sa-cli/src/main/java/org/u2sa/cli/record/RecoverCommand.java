@@ -8,6 +8,7 @@ import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.command.ProgramVersion;
 import org.u2sa.interfaces.JsonText;
 import org.u2sa.recorder.mcap.McapRecovery;
+import org.u2sa.recorder.mcap.record.McapException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -21,7 +22,8 @@ import picocli.CommandLine.Parameters;
       "  ./u2sa recover out/drive/recording.mcap",
       "",
       "Copies every readable message, attachment and metadata record, even from a truncated "
-          + "chunk. A chunk with a wrong checksum is left out. The damaged file is not changed."
+          + "chunk. A chunk with a wrong checksum is left out. The damaged file is not changed. If no "
+          + "message can be read, no file is written."
     })
 public final class RecoverCommand extends BaseCommand {
   private static final String SUFFIX = ".mcap";
@@ -48,6 +50,11 @@ public final class RecoverCommand extends BaseCommand {
       throw wrong(whole + " already exists; give another file with --out");
     }
     McapRecovery.Result result = McapRecovery.recover(file, whole, "u2sa " + ProgramVersion.text());
+    if (result.messages() == 0 && result.trouble().isPresent()) {
+      Files.delete(whole);
+      throw new McapException(
+          file + ": no message can be recovered: " + result.trouble().orElseThrow());
+    }
     if (json) {
       print(
           new JsonText()

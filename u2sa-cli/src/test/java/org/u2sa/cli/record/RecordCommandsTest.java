@@ -126,6 +126,14 @@ class RecordCommandsTest extends CommandFixture {
   }
 
   @Test
+  void recover_nothingReadable_failsAndLeavesNoFile() throws IOException {
+    Path text = Files.writeString(directory.resolve("text.mcap"), "not a recording ".repeat(99));
+    assertThat(u2sa("recover", text.toString())).isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(err.toString()).contains("text.mcap: no message can be recovered");
+    assertThat(directory.resolve("text-recovered.mcap")).doesNotExist();
+  }
+
+  @Test
   void recover_noSuchFile_saysSo() {
     assertThat(u2sa("recover", directory.resolve("none.mcap").toString()))
         .isEqualTo(ExitCode.BAD_INPUT);

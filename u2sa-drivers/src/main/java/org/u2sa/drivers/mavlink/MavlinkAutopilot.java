@@ -21,6 +21,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.mavlink.MavlinkStream;
 import org.u2sa.messages.BatteryState;
+import org.u2sa.messages.SensorParts;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.service.CommandedActuators;
@@ -82,7 +83,7 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor implements Actu
     stream = new MavlinkStream(variables.ownSystem(), variables.ownComponent());
     peer = new AutopilotPeer(variables.autopilotSystem(), variables.stateRate(), this::send);
     state = new AutopilotState(variables.staleAfter());
-    positionName = sensorName() + " position";
+    positionName = sensorName() + SensorParts.POSITION;
     power = new AutopilotPower(sensorName());
     link = given.orElseGet(() -> ByteLinks.of(context));
     watch = new DeviceWatch(this, "the autopilot", link, variables.heartbeatTimeout());

@@ -5,6 +5,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.u2sa.messages.InertialMeasurement;
 import org.u2sa.messages.LandmarkSighting;
+import org.u2sa.messages.SensorParts;
 import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -160,7 +161,10 @@ public final class MeasurementReader {
 
   /** Reads speeds through the fluid; y points left in BODY, right in FRD. */
   private void readFluid(StateInformation s, Measurement to, double ySign) {
-    if (!fluidSensors.isEmpty() && !fluidSensors.contains(s.sensorName())) {
+    String source = s.sensorName();
+    if (!fluidSensors.isEmpty()
+        && !fluidSensors.contains(source)
+        && !fluidSensors.contains(SensorParts.sensor(source))) {
       return; // speed through a different fluid
     }
     for (int i = 0; i < 3; i++) {
@@ -216,9 +220,8 @@ public final class MeasurementReader {
 
   private void readInertial(InertialMeasurement m, Measurement to) {
     String source = m.sensorName();
-    if (source.endsWith(InertialMeasurement.SUFFIX) && inertialSensors.size() < MAX_INERTIAL) {
-      int end = source.length() - InertialMeasurement.SUFFIX.length();
-      inertialSensors.add(source.substring(0, end));
+    if (source.endsWith(SensorParts.INERTIAL) && inertialSensors.size() < MAX_INERTIAL) {
+      inertialSensors.add(SensorParts.sensor(source));
     }
     double rate = honest(m.angularRateSigma(), usual.rate(), MIN_ANGLE);
     double force = honest(m.specificForceSigma(), usual.force(), MIN_SIGMA);

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.Collectors;
 import org.u2sa.messages.Metric;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -136,14 +137,14 @@ public class SearchArea extends GoalInformation {
     if (outline.size() < 3 || outline.size() > MAX_CORNERS) {
       return Optional.of("corners: " + outline.size() + " of them; expected 3 to " + MAX_CORNERS);
     }
+    boolean isOnEarth = referenceFrame().equals(ReferenceFrame.GLOBAL);
     for (Point corner : outline) {
-      boolean onEarth = referenceFrame().equals(ReferenceFrame.GLOBAL);
-      if (onEarth && (Math.abs(corner.y()) > 90.0 || Math.abs(corner.x()) > 360.0)) {
+      if (isOnEarth && (Math.abs(corner.y()) > 90.0 || Math.abs(corner.x()) > 360.0)) {
         return Optional.of(
             "corners: " + corner.x() + " " + corner.y() + "; expected longitude and latitude");
       }
     }
-    Optional<String> crossing = Outline.crossing(outline);
+    Optional<String> crossing = Outline.crossing(isOnEarth ? unwrapped(outline) : outline);
     if (crossing.isPresent()) {
       return crossing;
     }
@@ -173,6 +174,14 @@ public class SearchArea extends GoalInformation {
               ground()));
     }
     return Optional.empty();
+  }
+
+  /** Corners with longitudes within 180° of the first one, also across the date line. */
+  private static List<Point> unwrapped(List<Point> corners) {
+    double first = corners.get(0).x();
+    return corners.stream()
+        .map(at -> Point.of(first + Math.IEEEremainder(at.x() - first, 360.0), at.y(), at.z()))
+        .collect(Collectors.toList());
   }
 
   @Override

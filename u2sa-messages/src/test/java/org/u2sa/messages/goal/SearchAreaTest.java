@@ -46,6 +46,15 @@ class SearchAreaTest {
   }
 
   @Test
+  void fault_concaveOutlineAcrossTheDateLine_none() {
+    assertThat(area("179.9 0; -179.8 0; -179.8 0.1; -180 0.1; 180 0.3; 179.9 0.3").fault())
+        .isEmpty();
+    assertThat(area("-179.9 0; 179.9 0; 179.9 0.1").fault()).isEmpty();
+    assertThat(area("179.9 0; -179.9 0.2; -179.9 0; 179.9 0.2").fault().orElseThrow())
+        .contains("crosses");
+  }
+
+  @Test
   void fault_altitudesThatCannotBeFlown_namesThem() {
     String square = "0 0; 0.1 0; 0.1 0.1; 0 0.1";
     assertThat(area(square).highest(43.0).fault())

@@ -53,6 +53,7 @@ public enum ChunkCompression {
   };
 
   private static final int PIECE = 1 << 16;
+  private static final String ZSTD = "zstd"; // its decoders are native code or need Unsafe
 
   private final String inFile;
 
@@ -74,11 +75,14 @@ public enum ChunkCompression {
 
   abstract InputStream decompressing(byte[] compressed) throws IOException;
 
-  static ChunkCompression of(String inFile) throws McapException {
+  static ChunkCompression of(String inFile) throws IOException {
     for (ChunkCompression compression : values()) {
       if (compression.inFile.equals(inFile)) {
         return compression;
       }
+    }
+    if (inFile.equals(ZSTD)) {
+      throw new UnsupportedCompressionException(ZSTD);
     }
     throw new McapException(
         "a chunk is compressed with \"" + inFile + "\"; expected lz4 or no compression");

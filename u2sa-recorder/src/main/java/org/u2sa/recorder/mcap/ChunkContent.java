@@ -17,16 +17,16 @@ record ChunkContent(long size, long crc, ChunkCompression compression, byte[] co
   /** Records of a chunk up to the first error, and the error; null if none. */
   record Salvage(ChunkRecords records, IOException trouble) {}
 
-  static ChunkContent read(RecordFields in) throws McapException {
+  static ChunkContent read(RecordFields in) throws IOException {
     return read(in, false);
   }
 
   /** Reads the available part of a chunk. */
-  static ChunkContent readBrokenOff(RecordFields in) throws McapException {
+  static ChunkContent readBrokenOff(RecordFields in) throws IOException {
     return read(in, true);
   }
 
-  private static ChunkContent read(RecordFields in, boolean brokenOff) throws McapException {
+  private static ChunkContent read(RecordFields in, boolean brokenOff) throws IOException {
     in.uint64(); // first and last time; known from its messages
     in.uint64();
     long size = in.uint64();

@@ -114,6 +114,8 @@ public final class McapCursor {
     List<McapMessage> messages;
     try {
       messages = messages(new RecordFields(loader.load(chunk)));
+    } catch (UnsupportedCompressionException e) {
+      throw new McapException(file + ": " + e.getMessage(), e);
     } catch (McapException e) {
       throw new McapException(
           String.format(

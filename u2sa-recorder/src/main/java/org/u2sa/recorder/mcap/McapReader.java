@@ -94,6 +94,13 @@ public final class McapReader implements AutoCloseable {
     if (statistics == null) {
       throw new McapException("the file's summary has no statistics");
     }
+    if (statistics.startNanos() < 0 || statistics.endNanos() < statistics.startNanos()) {
+      throw new McapException(
+          String.format(
+              "log times from %s to %s ns; expected ascending ones below 2^63",
+              Long.toUnsignedString(statistics.startNanos()),
+              Long.toUnsignedString(statistics.endNanos())));
+    }
     if (statistics.chunks() != chunks.size() || statistics.messages() > 0 && chunks.isEmpty()) {
       throw new McapException("the file's summary lacks the positions of its messages");
     }

@@ -2,6 +2,7 @@ package org.u2sa.recorder.mcap;
 
 import java.io.IOException;
 import java.nio.channels.FileChannel;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.HashSet;
@@ -54,7 +55,8 @@ public final class McapRecovery {
    * @param broken damaged file; not modified
    * @param whole new file; must not exist
    * @param library writing library, for the new file's header
-   * @throws IOException if reading or writing fails
+   * @throws IOException if reading or writing fails, or the compression is not supported; then
+   *     there is no new file
    */
   public static Result recover(Path broken, Path whole, String library) throws IOException {
     return recover(broken, whole, library, ReadLimits.heldBytes());
@@ -70,6 +72,9 @@ public final class McapRecovery {
       recovery.copy();
       return new Result(
           recovery.messages, recovery.damagedChunks, Optional.ofNullable(recovery.trouble));
+    } catch (UnsupportedCompressionException e) {
+      Files.delete(whole);
+      throw new McapException(broken + ": " + e.getMessage(), e);
     }
   }
 
@@ -161,6 +166,10 @@ public final class McapRecovery {
     McapChannel channel = definitions.channel(message.channelId());
     if (channel == null) {
       note("a message belongs to the unknown channel " + message.channelId());
+      return;
+    }
+    if (message.logTimeNanos() < 0) {
+      note("a message has a log time of 2^63 ns or more: it is left out");
       return;
     }
     define(channel);

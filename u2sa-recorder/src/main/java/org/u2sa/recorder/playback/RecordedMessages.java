@@ -3,7 +3,9 @@ package org.u2sa.recorder.playback;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Collection;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -30,6 +32,8 @@ public final class RecordedMessages implements AutoCloseable {
   private final McapReader reader;
   private final Map<Integer, Topic> topics = new TreeMap<>();
   private final MessageCodec codec = new MessageCodec(MessageTypes.discovered());
+  private int foreign; // channels
+  private String firstForeign = "";
   private long undecodable;
   private String firstUndecodable = "";
 
@@ -49,7 +53,7 @@ public final class RecordedMessages implements AutoCloseable {
     this.reader = reader;
     for (McapChannel channel : reader.channels().values()) {
       if (channel.messageEncoding().equals(ENCODING)) {
-        topics.put(channel.id(), parsed(channel.topic()));
+        parse(channel);
       }
     }
   }
@@ -57,27 +61,23 @@ public final class RecordedMessages implements AutoCloseable {
   /**
    * Opens a recording.
    *
-   * @throws BadInputException if the file does not exist or contains an invalid U2SA topic
+   * @throws BadInputException if the file does not exist
    * @throws IOException if it cannot be read or is not a complete MCAP file
    */
   public static RecordedMessages open(Path file) throws IOException {
     if (!Files.isRegularFile(file)) {
       throw new BadInputException(file + ": no such file; expected a recording (MCAP)");
     }
-    McapReader reader = McapReader.open(file);
-    try {
-      return new RecordedMessages(file, reader);
-    } catch (BadInputException e) {
-      reader.close();
-      throw e;
-    }
+    return new RecordedMessages(file, McapReader.open(file));
   }
 
-  private Topic parsed(String topic) {
+  private void parse(McapChannel channel) {
     try {
-      return Topic.parse(topic);
-    } catch (IllegalArgumentException e) {
-      throw new BadInputException(file + ": " + e.getMessage(), e);
+      topics.put(channel.id(), Topic.parse(channel.topic()));
+    } catch (IllegalArgumentException e) { // CBOR of another program
+      if (foreign++ == 0) {
+        firstForeign = e.getMessage();
+      }
     }
   }
 
@@ -105,7 +105,10 @@ public final class RecordedMessages implements AutoCloseable {
   public RecordedMessages requireMessages() {
     if (topics.isEmpty()) {
       throw new BadInputException(
-          file + ": holds no native messages; expected a recording made with --form u2sa or both");
+          file
+              + ": holds no native messages"
+              + undecodable().map(what -> " (" + what + ")").orElse("")
+              + "; expected a recording made with --form u2sa or both");
     }
     return this;
   }
@@ -146,15 +149,17 @@ public final class RecordedMessages implements AutoCloseable {
     }
   }
 
-  /** Decoding failures so far, in words; empty if none. */
+  /** Channels left out and decoding failures so far, in words; empty if none. */
   public Optional<String> undecodable() {
-    return undecodable == 0
-        ? Optional.empty()
-        : Optional.of(
-            "messages that cannot be decoded: "
-                + undecodable
-                + ", the first on "
-                + firstUndecodable);
+    List<String> what = new ArrayList<>();
+    if (foreign > 0) {
+      what.add("channels left out for their topics: " + foreign + ", the first: " + firstForeign);
+    }
+    if (undecodable > 0) {
+      what.add(
+          "messages that cannot be decoded: " + undecodable + ", the first on " + firstUndecodable);
+    }
+    return what.isEmpty() ? Optional.empty() : Optional.of(String.join("; ", what));
   }
 
   /**

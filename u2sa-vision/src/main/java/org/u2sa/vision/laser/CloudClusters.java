@@ -8,6 +8,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.SensorParts;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.shape.Circle;
@@ -64,7 +65,8 @@ public final class CloudClusters extends EventDrivenService {
         circle
             .uid(cloud.sensorName() + " object " + number)
             .referenceFrame(ReferenceFrame.BODY)
-            .sensorName(cloud.sensorName() + " objects"); // differs from the scanner's name
+            .sensorName(
+                cloud.sensorName() + SensorParts.OBJECTS); // differs from the scanner's name
         circle.timestamp(cloud.timestamp().orElseThrow());
         publish(Channels.SENSED_OBJECTS, circle);
       }

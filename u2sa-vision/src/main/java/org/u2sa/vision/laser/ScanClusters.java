@@ -7,6 +7,7 @@ import java.util.function.Predicate;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.RangeScan;
+import org.u2sa.messages.SensorParts;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.frame.Rotation;
@@ -66,7 +67,7 @@ public final class ScanClusters extends EventDrivenService {
 
   private static ObjectDescription named(Circle object, RangeScan scan, int number) {
     String name =
-        scan.sensorName() + " objects"; // not the scanner's own name: scans carry no types
+        scan.sensorName() + SensorParts.OBJECTS; // not the scanner's own name: scans carry no types
     object
         .uid(scan.sensorName() + " object " + number)
         .referenceFrame(ReferenceFrame.BODY)

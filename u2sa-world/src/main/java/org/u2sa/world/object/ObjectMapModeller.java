@@ -6,12 +6,14 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.RangeScan;
+import org.u2sa.messages.SensorParts;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.shape.PointCloud;
@@ -35,6 +37,7 @@ public final class ObjectMapModeller implements Modeller {
   /** Fraction of the heap for remembered sightings from other processes. */
   private static final int HEAP_PART = 4;
 
+  private static final int MAX_SENSORS = 64; // caps memory against spoofed sensors
   private static final long MIN_SIGHTING_BYTES = 8L << 10; // size of an outline of a hundred points
 
   private final Settings<ObjectMapVariables> settings;
@@ -44,6 +47,7 @@ public final class ObjectMapModeller implements Modeller {
   private final HiddenGround hidden = new HiddenGround();
   private final ScannedMovers scanned = new ScannedMovers();
   private final NewestClouds clouds = new NewestClouds();
+  private final Set<String> heard = new TreeSet<>(); // sensors, also by the names of their parts
   private List<ObjectDescription> known = List.of();
   private long knownMicros;
   private MapFrame frame = MapFrame.BODY;
@@ -69,6 +73,10 @@ public final class ObjectMapModeller implements Modeller {
       }
     }
     if (!objects.isEmpty()) {
+      if (heard.size() < MAX_SENSORS) {
+        heard.add(objects.get(0).sensorName());
+        heard.add(SensorParts.sensor(objects.get(0).sensorName()));
+      }
       take(objects, sighting, MappedObject.Source.SENSOR);
     }
   }
@@ -154,7 +162,8 @@ public final class ObjectMapModeller implements Modeller {
   /** Counts against objects that this sensor should have seen but did not. */
   private void lookFor(
       String sensor, Set<MappedObject> hit, Sighting sighting, ObjectMapVariables tuning) {
-    FieldOfView field = FieldOfView.parse(tuning.fieldsOfView()).get(sensor);
+    FieldOfView field =
+        SensorParts.value(FieldOfView.parse(tuning.fieldsOfView()), sensor).orElse(null);
     for (MappedObject track : tracks) {
       if (hit.contains(track) || isHidden(track.template(), place(track), tuning)) {
         continue;
@@ -331,7 +340,17 @@ public final class ObjectMapModeller implements Modeller {
             tracks.size(), confirmed, moving, sightings, unplaced, frame.frame(), misread)
         + clouds.remark()
         + (absurd == 0 ? "" : ", " + absurd + " dropped for implausible values")
-        + (tooLong == 0 ? "" : ", " + tooLong + " rejected for their length");
+        + (tooLong == 0 ? "" : ", " + tooLong + " rejected for their length")
+        + unheard();
+  }
+
+  /** Names sensors in FIELDS OF VIEW without sightings: a misspelt one would have no effect. */
+  private String unheard() {
+    Set<String> unheard = new TreeSet<>(FieldOfView.parse(settings.get().fieldsOfView()).keySet());
+    unheard.removeAll(heard);
+    return heard.isEmpty() || unheard.isEmpty()
+        ? ""
+        : ", no sightings from " + unheard + " in FIELDS OF VIEW, only from " + heard;
   }
 
   @Override
