@@ -356,10 +356,11 @@ public final class SafetyManager extends PeriodicService {
     publish(new FailsafeState().action(action).causes(causes));
     if (action != said || !decision.hazards().equals(saidHazards)) {
       said = action;
+      boolean isOrdered = causes.isEmpty() && emergency.isStopped();
       saidHazards = decision.hazards();
       log(
           action == FailsafeAction.CONTINUE ? LogLevelEnum.INFO : LogLevelEnum.WARN,
-          "failsafe " + action + " because of " + causes);
+          "failsafe " + action + " because of " + (isOrdered ? "a stop order" : causes));
     }
   }
 }

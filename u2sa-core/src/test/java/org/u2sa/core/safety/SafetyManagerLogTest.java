@@ -103,6 +103,15 @@ class SafetyManagerLogTest extends WatchedVehicle {
   }
 
   @Test
+  void emergencyStop_ordered_isToldAsTheCause() {
+    startArmed();
+    kit.publish(Channels.EMERGENCY_STOP, new EmergencyStop().active(true).stopId("Ann 1"));
+    live(0.3);
+
+    assertThat(told()).contains("WARN failsafe STOP because of a stop order");
+  }
+
+  @Test
   void emergencyStop_cleared_isToldWithWhoClearedIt() {
     startArmed();
     kit.publish(Channels.EMERGENCY_STOP, new EmergencyStop().active(true).stopId("Ann 1"));

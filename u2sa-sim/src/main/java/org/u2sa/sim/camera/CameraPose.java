@@ -7,6 +7,8 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 
 /** Pose of a camera in the world (east, north, up). Mutable and reused. */
 final class CameraPose {
+  private static final double STEEP_RAD = 1.5;
+
   private final Point ahead; // camera axes in the vehicle frame: forward, right, down
   private final Point down;
   private final Point mounted;
@@ -27,14 +29,7 @@ final class CameraPose {
 
   /** Sets the pose, extrapolated with the vehicle's motion. */
   void at(VehicleTruth truth, double laterS) {
-    Attitude now = truth.attitude();
-    Point turning = now.eulerRates(truth.rates());
-    Rotation ned =
-        new Attitude(
-                now.phi() + laterS * turning.x(),
-                now.theta() + laterS * turning.y(),
-                now.psi() + laterS * turning.z())
-            .nedFromFrd();
+    Rotation ned = later(truth.attitude(), truth.rates(), laterS);
     Point place = ned.times(mounted);
     x = (float) (truth.position().x() + laterS * truth.velocity().x() + place.y());
     y = (float) (truth.position().y() + laterS * truth.velocity().y() + place.x());
@@ -42,6 +37,19 @@ final class CameraPose {
     enu(ned.times(Point.of(0.0, 1.0, 0.0)), right);
     enu(ned.times(down), below);
     enu(ned.times(ahead), axis);
+  }
+
+  private static Rotation later(Attitude now, Point rates, double laterS) {
+    if (Math.abs(now.theta()) > STEEP_RAD) { // Euler rates grow without bound
+      Attitude turn = new Attitude(laterS * rates.x(), laterS * rates.y(), laterS * rates.z());
+      return now.nedFromFrd().times(turn.nedFromFrd());
+    }
+    Point turning = now.eulerRates(rates);
+    return new Attitude(
+            now.phi() + laterS * turning.x(),
+            now.theta() + laterS * turning.y(),
+            now.psi() + laterS * turning.z())
+        .nedFromFrd();
   }
 
   private static void enu(Point ned, float[] into) {
