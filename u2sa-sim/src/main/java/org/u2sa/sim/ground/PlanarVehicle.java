@@ -272,8 +272,9 @@ abstract class PlanarVehicle implements GroundVehicle {
   public final void enter(World newWorld) {
     world = Objects.requireNonNull(newWorld, "world");
     surface = world.surface();
-    if (terrain != world.terrain()) {
-      terrain = world.terrain();
+    Terrain met = world.terrain().underWheels();
+    if (!terrain.equals(met)) {
+      terrain = met;
       pullEast = 0.0;
       pullNorth = 0.0;
       lean(1.0, 0.0, 0.0);

@@ -198,6 +198,11 @@ public final class HeightMap implements Terrain {
   }
 
   @Override
+  public Terrain underWheels() {
+    return new RoundedTerrain(this);
+  }
+
+  @Override
   public double steepest() {
     return steepest;
   }

@@ -22,6 +22,11 @@ public interface Terrain {
   /** Slope toward north [1]. */
   double riseNorth(double eastM, double northM);
 
+  /** The same terrain as a ground vehicle's wheels meet it: without edges of its slopes. */
+  default Terrain underWheels() {
+    return this;
+  }
+
   /** Upper bound of the slope [1]. */
   double steepest();
 
