@@ -132,7 +132,7 @@ final class Fuser {
         quantity == SensedQuantity.BODY_VELOCITY && m.has(SensedQuantity.BODY_VELOCITY, 0);
     if (isForward) {
       HeadingSearch.speed(s, m);
-      slopes.alongTheWay(s);
+      slopes.alongTheWay(s, s.trust[trust.of(s, source) + SourceTrust.INTERVAL]);
     }
     if (!isReadable || !model.look(s, m, quantity) || linear.rows == 0) {
       return;

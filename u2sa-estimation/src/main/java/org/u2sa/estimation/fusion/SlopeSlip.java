@@ -12,8 +12,10 @@ import org.u2sa.estimation.measurement.SensedQuantity;
 final class SlopeSlip {
   private static final double CREEP = 0.3; // of the speed, per sine of the slope, 1 sigma
   private static final double LEVEL = 0.05; // sine of a slope that counts as level
+  private static final double SCALE_LASTS_S = 10.0;
   private static final double LASTS_S = 1.0; // correlation time across the way and in turns
-  private static final double ARM_M = 1.0; // from the centre of a turn to wheels that skid
+  private static final double ARM_M =
+      2.5; // creep per turn rate: skidding uses up most of the grip of wheels 0.4 m out
 
   private final FilterTuning tuning;
   private final double[] r = new double[9];
@@ -26,17 +28,22 @@ final class SlopeSlip {
     return tuning.domain() == MotionDomain.GROUND && s.hasTilt;
   }
 
-  /** Widens the wheel scale if the slope along the way has changed. */
-  void alongTheWay(FilterState s) {
+  /**
+   * Widens the wheel scale where the slope along the way has changed, and slowly on a slope: what
+   * inertial sensors taught about it in the first seconds is worth little a minute later.
+   */
+  void alongTheWay(FilterState s, double intervalS) {
     if (!isUsed(s) || s.variance(FilterState.SCALE) == 0.0) {
       return;
     }
     Quaternions.matrix(s.x, FilterState.Q, r);
     double change = -r[6] - s.x[FilterState.SLOPE];
+    double share2 = Math.abs(r[6]) < LEVEL ? 0.0 : r[6] * r[6] * intervalS / SCALE_LASTS_S;
     if (Math.abs(change) > LEVEL / 2.0) {
       s.x[FilterState.SLOPE] += change;
-      s.p.data[FilterState.SCALE * (FilterState.N + 1)] += CREEP * CREEP * change * change;
+      share2 += change * change;
     }
+    s.p.data[FilterState.SCALE * (FilterState.N + 1)] += CREEP * CREEP * share2;
   }
 
   /**
