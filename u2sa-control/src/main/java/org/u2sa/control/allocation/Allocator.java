@@ -22,6 +22,8 @@ import java.util.function.ToDoubleFunction;
  */
 public final class Allocator {
   /** Weight of error over effort, γ: relative errors stay below a millionth. */
+  private static final double MINOR = 0.05; // fraction of an effect, such as a propeller's torque
+
   private static final double ERROR_OVER_EFFORT = 1e6;
 
   /** Share of an effector's force, or moment, below which its effect on an axis is incidental. */
@@ -226,6 +228,27 @@ public final class Allocator {
       }
     }
     return wrench;
+  }
+
+  /**
+   * Speed at which the vehicle turns [m/s]: half the speed for the effect of its rudders; 0 if
+   * anything else turns it, or nothing does.
+   */
+  public double steerageMps() {
+    double most = 0.0;
+    for (Effector each : effectors) {
+      most = Math.max(most, Math.abs(each.effect(DegreeOfFreedom.YAW)));
+    }
+    double fastest = 0.0;
+    for (Effector each : effectors) {
+      if (Math.abs(each.effect(DegreeOfFreedom.YAW)) > MINOR * most) {
+        if (each.referenceSpeed() == 0.0) {
+          return 0.0;
+        }
+        fastest = Math.max(fastest, each.referenceSpeed());
+      }
+    }
+    return 0.5 * fastest;
   }
 
   /** The effectors, in the order of {@link #percent}. */

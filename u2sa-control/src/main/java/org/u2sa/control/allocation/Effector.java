@@ -118,6 +118,11 @@ public final class Effector {
     return effect[axis.ordinal()];
   }
 
+  /** Speed for the effect [m/s], as of a rudder; 0 if it does not depend on speed. */
+  double referenceSpeed() {
+    return referenceSpeed;
+  }
+
   /** Scale of the effect at a speed through air or water [m/s]; NaN for an unknown speed. */
   double scaleAt(double speedMps) {
     if (referenceSpeed == 0.0 || Double.isNaN(speedMps)) {

@@ -386,6 +386,7 @@ public final class AllocatingControl extends ControlSystem {
     Set<DegreeOfFreedom> controlled = tuning.controlled();
     sound = Authority.of(roster.sound(), controlled);
     left = Authority.of(allocator.effectors(), controlled);
+    cascade.steerage(allocator.steerageMps());
     List<DegreeOfFreedom> lost = left.lost(sound);
     lacksEssentials = Choices.axes(choices.get().essential()).stream().anyMatch(lost::contains);
     List<String> gone = roster.lost(now);

@@ -34,6 +34,7 @@ final class Cascade {
   private final double[] attained = new double[DegreeOfFreedom.COUNT];
   private final double[] wrench = new double[DegreeOfFreedom.COUNT];
   private OptionalDouble headingRad = OptionalDouble.empty(); // heading to hold
+  private double steerageMps; // minimum speed to steer; 0: it turns at rest
   private boolean turnsFirst; // turn first, without moving sideways
   private final Lean lean = new Lean(); // level unless the vehicle leans
   private final GroundWatch ground = new GroundWatch();
@@ -170,7 +171,8 @@ final class Cascade {
       double ahead = aside > 0.0 ? level.x() / aside : 0.0;
       if (target.headingRad().isEmpty()) { // turn first
         double sign = target.isBackwards() ? -1.0 : 1.0;
-        forward = sign * Math.max(0.0, sign * towards(DegreeOfFreedom.SURGE, aside) * ahead);
+        double needed = aside >= settings.way().facingDistance() ? steerageMps : 0.0;
+        forward = sign * Math.max(needed, sign * towards(DegreeOfFreedom.SURGE, aside) * ahead);
       }
       right = 0.0;
     }
@@ -180,6 +182,11 @@ final class Cascade {
     Point velocity =
         Point.of(scale * forward, scale * right, towards(DegreeOfFreedom.HEAVE, level.z()));
     return settings.leans() ? velocity : motion.fromLevel(velocity);
+  }
+
+  /** Sets the speed at which a vehicle that is steered by its flow turns [m/s]; 0: at rest too. */
+  void steerage(double mps) {
+    steerageMps = mps;
   }
 
   /** Whether it gets to a point abeam only by turning. */

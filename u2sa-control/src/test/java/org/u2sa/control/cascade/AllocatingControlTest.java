@@ -327,6 +327,37 @@ class AllocatingControlTest {
     assertThat(kit.percent("THRUSTER") * left).isNegative();
   }
 
+  /** Percentage of the propeller towards a point behind. */
+  private double propellerTowardsAPointBehind(double rudderReferenceMps) {
+    kit.with("YAW WEIGHT", 1.0).with("YAW INERTIA", 1.0);
+    startThruster(1.0);
+    ActuatorAnnouncement rudder =
+        new ActuatorAnnouncement()
+            .actuatorName("RUDDER")
+            .minimum(-100.0)
+            .maximum(100.0)
+            .moment(Point.of(0.0, 0.0, 10.0));
+    kit.publish(
+        Channels.ACTUATORS,
+        rudderReferenceMps > 0.0 ? rudder.referenceSpeed(rudderReferenceMps) : rudder);
+    for (int i = 0; i < 3; i++) {
+      kit.publish(Channels.STATE, eastwards(0.0, 0.01));
+      kit.publish(Channels.NAVIGATION, at(NavigationPoint.at(Point.of(-20.0, 1.0, 0.0))));
+      kit.advance(STEP_S);
+    }
+    return kit.percent("THRUSTER");
+  }
+
+  @Test
+  void control_pointBehindAVesselWithARudder_keepsSteerageWay() {
+    assertThat(propellerTowardsAPointBehind(1.0)).isGreaterThan(2.0);
+  }
+
+  @Test
+  void control_pointBehindAVesselThatTurnsAtRest_turnsFirst() {
+    assertThat(propellerTowardsAPointBehind(0.0)).isZero();
+  }
+
   private void arm(boolean armed) {
     kit.publish(Channels.ARMING_STATE, new ArmingState().armed(armed));
   }
