@@ -103,6 +103,7 @@ final class FilterState {
   long fluidMicros;
   long constraintMicros;
   long movingMicros; // when the direction of motion became usable as heading
+  long turnedMicros = Long.MIN_VALUE / 2; // when wheels last measured a turn
   long slidingMicros; // since when the no-sideslip constraint is refused; 0: it is met
   long accusedMicros; // when an inertial source was found faulty; 0: never
   long resets;
@@ -157,6 +158,7 @@ final class FilterState {
     fluidMicros = o.fluidMicros;
     constraintMicros = o.constraintMicros;
     movingMicros = o.movingMicros;
+    turnedMicros = o.turnedMicros;
     slidingMicros = o.slidingMicros;
     accusedMicros = o.accusedMicros;
     resets = o.resets;

@@ -18,6 +18,9 @@ final class Fuser {
   private static final double STANDING_MPS = 0.1; // wheel speed
   private static final double HARD_MPS2 = 3.0; // acceleration of a vehicle that starts or brakes
   private static final double READABLE_SIGMAS = 3.0;
+  private static final double TURNED_S = 2.0; // ago, at most
+  private static final double TURN_STREAK = 3.0;
+  private static final double TURN_DOUBT_S = 0.3;
 
   private final FilterTuning tuning;
   private final SourceTrust trust;
@@ -172,6 +175,7 @@ final class Fuser {
     }
     if (nis > gates[linear.rows]) {
       boolean mustGiveWay = judge.gated(s, linear, source, quantity, at);
+      mustGiveWay |= quantity == SensedQuantity.HEADING && isTurnDoubted(s, at);
       if (InertialContradiction.isOfMotion(quantity) && contradiction.isShown(s)) {
         contradiction.reopen(s);
         contradiction.admit(s);
@@ -211,6 +215,18 @@ final class Fuser {
         correct(s, m, source, quantity, at, slot);
       }
     }
+  }
+
+  /**
+   * Whether headings contradict a turn that only wheels measure: wheels slip in a turn on the spot
+   * long before a compass errs by that much.
+   */
+  private static boolean isTurnDoubted(FilterState s, int at) {
+    double since = (s.micros - s.trust[at + SourceTrust.STREAK_SINCE]) / MICROS;
+    return s.hasTurnInput()
+        && (s.micros - s.turnedMicros) / MICROS < TURNED_S
+        && s.trust[at + SourceTrust.STREAK] >= TURN_STREAK
+        && since >= TURN_DOUBT_S;
   }
 
   /**

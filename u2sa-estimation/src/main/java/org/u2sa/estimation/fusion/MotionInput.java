@@ -20,6 +20,7 @@ final class MotionInput {
   private static final double LEVEL = 0.95; // cos of the tilt up to which yaw rate is heading rate
   private static final double UNIFORM = 12.0; // inverse variance of the uniform distribution
 
+  private static final double TURNS_RAD_PER_S = 0.1; // slower ones do not slip
   private static final double SLOW_MPS = 0.1; // slip is negligible below this speed
 
   private final FilterTuning tuning;
@@ -172,6 +173,7 @@ final class MotionInput {
     s.x[FilterState.W + 2] = isGyro ? rate - s.x[FilterState.BG + 2] : rate * r[8];
     double change = isRenewed ? rate - s.heldRadPerS : 0.0;
     s.heldRadPerS = rate;
+    s.turnedMicros = Math.abs(rate) > TURNS_RAD_PER_S ? s.micros : s.turnedMicros;
     double sigma2 =
         factor * square(m.sigma(quantity, 2)) + change * change / 4.0; // held values lag by half
     int error = FilterState.RATE + 2;
