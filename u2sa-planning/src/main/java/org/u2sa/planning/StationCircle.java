@@ -32,6 +32,10 @@ final class StationCircle {
   private static final int ENTRIES = 5;
   private static final double UNREACHABLE_S = 4.0; // time without a route to an entry
   private static final double ALONG_RAD = Math.toRadians(45.0); // maximum course error
+  private static final double SLACK = 0.05; // of the radius
+  private static final double WIDENS_PER_S = 0.2; // of the distance from the circle
+  private static final double MAX_WIDER = 1.0; // of the radius
+  private static final double LONGEST_STEP_S = 1.0;
   private static final double LEAVES_RAD = Math.toRadians(12.0); // lead to the next goal's course
 
   private final Detour detour;
@@ -46,6 +50,8 @@ final class StationCircle {
   private long lostSince; // since when there is no route; MAX_VALUE with one
   private long sinceMicros; // since when it counts; MIN_VALUE before
   private double turnedRad;
+  private double widerM; // distance of the point ahead outside the circle
+  private long widenedMicros;
   private double bearingRad;
 
   StationCircle(
@@ -78,6 +84,7 @@ final class StationCircle {
             : LoiterCircle.signed(centre, wanted);
     sinceMicros = Long.MIN_VALUE;
     turnedRad = 0.0;
+    widerM = 0.0;
     entry = 0;
     detour.begin();
   }
@@ -88,7 +95,7 @@ final class StationCircle {
     }
     circle.handOver(state);
     place.ifPresent(centre -> centre.handOver(state, "STATION CENTRE"));
-    state.number("STATION TURNED", turnedRad);
+    state.number("STATION TURNED", turnedRad).number("STATION WIDER", widerM);
     if (sinceMicros != Long.MIN_VALUE) {
       state.number("STATION SINCE", Clock.seconds(sinceMicros));
     }
@@ -98,6 +105,7 @@ final class StationCircle {
     place = Place.takenOver(state, "STATION CENTRE");
     circle = LoiterCircle.takenOver(state).orElse(null);
     turnedRad = state.number("STATION TURNED").orElse(0.0);
+    widerM = state.number("STATION WIDER").orElse(0.0);
     OptionalDouble since = state.number("STATION SINCE");
     sinceMicros = since.isPresent() ? Clock.micros(since.getAsDouble()) : Long.MIN_VALUE;
     bearingRad = Double.NaN;
@@ -122,9 +130,11 @@ final class StationCircle {
       begin(station, centre, vehicle);
     }
     count(station, vehicle);
+    widen(vehicle);
     NavigationPoint point =
         NavigationPoint.at(
-            vehicle.body(circle.tangentAhead(vehicle, lines.get().lookAheadM(vehicle.speedMps()))));
+            vehicle.body(
+                circle.tangentAhead(vehicle, lines.get().lookAheadM(vehicle.speedMps()), widerM)));
     station.speed().ifPresent(point::speed);
     if (isOver(station, vehicle) && mayLeave(station, vehicle, after)) {
       return new Plan(List.of(point), Plan.Progress.COMPLETED, counted(vehicle));
@@ -203,6 +213,21 @@ final class StationCircle {
       sinceMicros = vehicle.timestampMicros();
     }
     bearingRad = now;
+  }
+
+  /**
+   * Moves the point ahead outwards while the vehicle circles too near: a control that steers
+   * straight at the point, rather than along an arc to it, cuts the circle.
+   */
+  private void widen(Vehicle vehicle) {
+    double seconds = Clock.seconds(vehicle.timestampMicros() - widenedMicros);
+    widenedMicros = vehicle.timestampMicros();
+    double insideM = -circle.outsideM(vehicle);
+    boolean isOff = Math.abs(insideM) > SLACK * circle.radiusM();
+    if (sinceMicros != Long.MIN_VALUE && entry == 0 && isOff && seconds < LONGEST_STEP_S) {
+      double wider = widerM + WIDENS_PER_S * seconds * insideM;
+      widerM = Math.max(0.0, Math.min(MAX_WIDER * circle.radiusM(), wider));
+    }
   }
 
   private boolean isOver(Station station, Vehicle vehicle) {

@@ -5,11 +5,13 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalList;
@@ -92,6 +94,37 @@ class StationCircleTest extends PlannedVehicle {
     assertThat(turns()).isCloseTo(Math.signum(radiusM) * 2.0, within(0.1));
     List<Double> last = offs().subList(offs().size() / 2, offs().size());
     assertThat(last).allMatch(off -> off < 10.0);
+  }
+
+  /** A boat at 1 m/s whose control steers straight at the point ahead. */
+  private static final class StraightBoat extends TestVehicle {
+    @Override
+    void step(double dtS, Optional<NavigationPoint> point) {
+      point.ifPresent(to -> heading += Math.atan2(-to.point().y(), to.point().x()));
+      speed = 1.0;
+      move(dtS);
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {5.0, -8.0})
+  void plan_controlThatSteersStraightAtThePoint_doesNotCutTheCircle(double radiusM) {
+    StraightBoat boat = new StraightBoat();
+    boat.onEarth = false;
+    kit.with("LOOK AHEAD", 4.0).with("LOITER RADIUS", 8.0).with("PLANNER", "NONE");
+    kit.start(PathPlanner::new);
+    Station station = new Station();
+    station.uid("S").referenceFrame(ReferenceFrame.LOCAL_NED).x(20.0).y(0.0);
+    goals(station.turns(8.0).radius(radiusM).horizontalThreshold(2.0));
+    double nearest = Double.POSITIVE_INFINITY;
+    while (kit.nowS() < 600.0 && kit.latest(Channels.GOAL_REPORTS).isEmpty()) {
+      kit.publish(Channels.STATE, boat.state().z(0.0));
+      boat.step(0.1, kit.latest(Channels.NAVIGATION));
+      kit.advance(0.1);
+      double away = Math.hypot(boat.north - 20.0, boat.east);
+      nearest = kit.nowS() > 60.0 ? Math.min(nearest, away) : nearest;
+    }
+    assertThat(nearest).isBetween(0.9 * Math.abs(radiusM), 1.1 * Math.abs(radiusM));
   }
 
   @Test

@@ -12,6 +12,7 @@ import org.u2sa.estimation.measurement.SensedQuantity;
 final class SlopeSlip {
   private static final double CREEP = 0.3; // of the speed, per sine of the slope, 1 sigma
   private static final double LEVEL = 0.05; // sine of a slope that counts as level
+  private static final double LEARNS_TILT_S = 8.0; // until then, a tilt may be a wrong speed
   private static final double SCALE_LASTS_S = 10.0;
   private static final double LASTS_S = 1.0; // correlation time across the way and in turns
   private static final double ARM_M =
@@ -25,7 +26,8 @@ final class SlopeSlip {
   }
 
   private boolean isUsed(FilterState s) {
-    return tuning.domain() == MotionDomain.GROUND && s.hasTilt;
+    boolean isTiltKnown = s.hasTilt && (s.micros - s.startedMicros) * 1e-6 > LEARNS_TILT_S;
+    return tuning.domain() == MotionDomain.GROUND && isTiltKnown;
   }
 
   /**

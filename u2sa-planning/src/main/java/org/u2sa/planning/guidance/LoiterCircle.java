@@ -99,12 +99,18 @@ public final class LoiterCircle {
     return bearingRad + sense * Math.PI / 2.0;
   }
 
-  /** Like {@link #ahead}, but from outside along a tangent: north, east, down [m]. */
-  public Point tangentAhead(Vehicle vehicle, double lookAheadM) {
+  /**
+   * Like {@link #ahead}, but from outside along a tangent: north, east, down [m].
+   *
+   * @param widerM distance of the point outside the circle [m]
+   */
+  public Point tangentAhead(Vehicle vehicle, double lookAheadM, double widerM) {
     double away = outsideM(vehicle) + radiusM;
     double tangent = away > radiusM ? Math.acos(radiusM / away) : 0.0;
     double turn = Math.max(tangent, Math.min(lookAheadM / radiusM, FARTHEST_AHEAD_RAD));
-    return vehicle.nedOf(at(bearingRad(vehicle) + sense * turn));
+    double bearing = bearingRad(vehicle) + sense * turn;
+    double out = radiusM + widerM;
+    return vehicle.nedOf(centre.moved(out * Math.cos(bearing), out * Math.sin(bearing)));
   }
 
   /** Point on the circle, one look-ahead ahead: north, east, down from the vehicle [m]. */
