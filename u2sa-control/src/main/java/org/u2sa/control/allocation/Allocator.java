@@ -231,8 +231,8 @@ public final class Allocator {
   }
 
   /**
-   * Speed at which the vehicle turns [m/s]: half the speed for the effect of its rudders; 0 if
-   * anything else turns it, or nothing does.
+   * Minimum speed at which the vehicle turns [m/s]: half the speed for the effect of its rudders; 0
+   * if anything else turns it, or nothing does.
    */
   public double steerageMps() {
     double most = 0.0;

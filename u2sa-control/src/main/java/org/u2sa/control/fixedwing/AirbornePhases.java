@@ -181,20 +181,21 @@ final class AirbornePhases {
 
   /**
    * First climb of an aeroplane that is launched by hand or catapult: until it is clear of the
-   * ground, height comes before speed, and bank is limited. It ends 20 m above the launcher, or
-   * below a demanded altitude that is lower; before it descends below the launcher, such as from a
-   * hill, it climbs all the same. Its launcher is where it was last seen at rest; one first seen in
+   * ground, height comes before speed, and bank is limited. It ends 20 m above the launcher, or at
+   * a demanded altitude that is lower; before it descends below the launcher, such as from a hill,
+   * it climbs all the same. Its launcher is where it was last seen at rest; one first seen in
    * flight is clear.
    */
   static final class LaunchClimb {
     private static final double AT_REST_MPS = 2.0; // over ground
     private static final double CLEAR_M = 20.0; // above the launcher
     private static final double LOW_M = 5.0; // minimum height of a demanded altitude to end at
-    private static final double SHARE_OF_DEMAND = 0.8; // the demand itself is approached slowly
+    private static final double NEAR_M = 1.0; // from a demand, which is approached slowly
+    private static final double TOP_M = 25.0; // likewise
     private static final double BANK_AT_LAUNCHER_RAD = Math.toRadians(5.0);
 
     private double launcherM; // altitude
-    private double clearM = CLEAR_M; // above the launcher
+    private double leastM; // altitude to demand at least
     private double share = 1.0; // of the climb
 
     /**
@@ -209,8 +210,10 @@ final class AirbornePhases {
       }
       if (atRest || isUnderWay()) {
         double aboveM = demandM - launcherM;
-        clearM = aboveM < LOW_M ? CLEAR_M : Math.min(CLEAR_M, SHARE_OF_DEMAND * aboveM);
-        share = Limit.within(0.0, (state.altitudeM() - launcherM) / clearM, 1.0);
+        leastM = launcherM + (aboveM < LOW_M ? TOP_M : 0.0);
+        boolean isThere = aboveM >= LOW_M && state.altitudeM() > demandM - NEAR_M;
+        double climbed = (state.altitudeM() - launcherM) / CLEAR_M;
+        share = isThere ? 1.0 : Limit.within(0.0, climbed, 1.0);
       }
     }
 
@@ -221,7 +224,7 @@ final class AirbornePhases {
 
     /** Minimum altitude to demand until it is clear [m]. */
     double topM() {
-      return launcherM + clearM / SHARE_OF_DEMAND;
+      return leastM;
     }
 
     /**

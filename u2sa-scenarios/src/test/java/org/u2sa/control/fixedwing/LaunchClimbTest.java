@@ -22,13 +22,26 @@ class LaunchClimbTest {
   }
 
   @Test
-  void isUnderWay_lowMission_endsBelowItsAltitude() {
+  void isUnderWay_lowMission_endsAtItsAltitude() {
     demandM = 310.0;
     limitRad(0.0, 300.0);
     assertThat(climb.topM()).isLessThanOrEqualTo(310.0);
-    limitRad(15.0, 307.0);
-    assertThat(climb.isUnderWay()).isTrue();
     limitRad(15.0, 308.0);
+    assertThat(climb.isUnderWay()).isTrue();
+    limitRad(15.0, 309.5);
+    assertThat(climb.isUnderWay()).isFalse();
+  }
+
+  /** The planner's points rise with the aeroplane towards a high and distant waypoint. */
+  @Test
+  void isUnderWay_demandRisesWithTheAeroplane_endsWhenClear() {
+    limitRad(0.0, 300.0);
+    for (double altitudeM = 301.0; altitudeM < 320.0; altitudeM += 1.0) {
+      demandM = altitudeM + 2.4;
+      limitRad(15.0, altitudeM);
+      assertThat(climb.isUnderWay()).isTrue();
+    }
+    limitRad(15.0, 320.0);
     assertThat(climb.isUnderWay()).isFalse();
   }
 
