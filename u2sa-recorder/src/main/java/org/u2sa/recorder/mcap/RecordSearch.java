@@ -18,6 +18,7 @@ final class RecordSearch {
   private final boolean isCut;
   private final Consumer<String> trouble;
   private boolean hasChunks;
+  private boolean isSummary; // whether the data section has ended: no messages follow
   private long position = Opcode.magic().length;
 
   /**
@@ -87,6 +88,7 @@ final class RecordSearch {
     }
     position = found == null ? end : found.end();
     hasChunks |= found != null && found.opcode == Opcode.CHUNK;
+    isSummary |= found != null && found.opcode == Opcode.DATA_END;
     if (found != null && found.isCut) {
       trouble.accept(breaksOffWithinRecord());
     }
@@ -128,13 +130,19 @@ final class RecordSearch {
     if (hasChunks && opcode == Opcode.MESSAGE && isLaidOutAs(Opcode.MESSAGE_INDEX, at, length)) {
       return new Found(at, Opcode.MESSAGE_INDEX, length, false);
     }
-    if (opcode == 0 || opcode == Opcode.DATA_END || opcode == Opcode.FOOTER) {
+    if (opcode == 0
+        || opcode == Opcode.DATA_END
+        || opcode == Opcode.FOOTER
+        || isSummary && opcode == Opcode.MESSAGE) {
       return null;
     }
-    if (leadsToRecord(at, length)) { // later versions may add fields
+    boolean hasFields = opcode != Opcode.MESSAGE && ofFields > 0;
+    boolean isTooLong = // where both lengths lead to a record, the shorter one loses less
+        hasFields && length > ofFields && isExactRecord(at + Opcode.PREFIX + ofFields);
+    if (!isTooLong && leadsToRecord(at, length)) { // later versions may add fields
       return new Found(at, opcode, length, false);
     }
-    if (opcode != Opcode.MESSAGE && ofFields > 0 && leadsToRecord(at, ofFields)) {
+    if (hasFields && leadsToRecord(at, ofFields)) {
       trouble.accept("the record at byte " + at + " has a damaged length");
       return new Found(at, opcode, ofFields, false);
     }
@@ -180,6 +188,17 @@ final class RecordSearch {
         : fits(at, length) && ofFields >= 0 && ofFields <= length;
   }
 
+  /** Whether the record at an offset is as long as its fields say; never of a message. */
+  private boolean isExactRecord(long at) throws IOException {
+    if (at + Opcode.PREFIX > end) {
+      return false;
+    }
+    int opcode = file.uint8(at);
+    return opcode != Opcode.MESSAGE
+        && RecordLayout.isKnown(opcode)
+        && isLaidOutAs(opcode, at, file.uint64(at + 1));
+  }
+
   /** First record from an offset whose length is certain. */
   private Found searchFrom(long from) throws IOException {
     for (long at = from; at + Opcode.PREFIX <= end; at++) {
@@ -194,7 +213,7 @@ final class RecordSearch {
       long ofFields = RecordLayout.length(opcode, file, at + Opcode.PREFIX);
       boolean isCertain = // messages do not store their length; not expected beside chunks
           opcode == Opcode.MESSAGE
-              ? !hasChunks && ofFields > 0 && ofFields <= length
+              ? !hasChunks && !isSummary && ofFields > 0 && ofFields <= length
               : ofFields == length;
       if (isCertain && leadsToRecord(at, length)) {
         return new Found(at, opcode, length, false);

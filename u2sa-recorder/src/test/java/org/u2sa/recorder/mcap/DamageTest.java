@@ -23,8 +23,8 @@ import org.u2sa.recorder.mcap.record.Opcode;
 
 /** One flipped bit costs the messages of one chunk at most, wherever in the file it is. */
 class DamageTest {
-  private static final int CHUNK_BYTES = 700;
-  private static final int MESSAGES = 60;
+  private static final int CHUNK_BYTES = 350;
+  private static final int MESSAGES = 30;
   private static final Map<Integer, String> TOPICS = Map.of(1, "topic1", 2, "topic2", 3, "topic3");
 
   @TempDir Path folder;
