@@ -1,6 +1,7 @@
 package org.u2sa.control;
 
 import java.util.HashMap;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -63,6 +64,7 @@ public abstract class ControlSystem extends EventDrivenService {
       new HashMap<>(); // newest point whose state is stored
   private double stepS;
   private long heardStateMicros = Long.MIN_VALUE; // by the run's clock
+  private boolean isExpiryReported;
   private boolean isStateless; // states are origins, one per navigation point
 
   /**
@@ -188,10 +190,26 @@ public abstract class ControlSystem extends EventDrivenService {
       return;
     }
     stepS = Clock.seconds(states.lastStepMicros());
+    warnOfExpiry();
     points.values().stream()
         .filter(point -> stateOf(point).isPresent())
         .forEach(point -> placed.put(point.subsystem(), point));
     control(state, navigationPoint(subsystem()));
+  }
+
+  /** Says once that commands expire before the next state renews them: the vehicle jerks. */
+  private void warnOfExpiry() {
+    double expiryS = limits.get().commandExpiry();
+    if (!isExpiryReported && stepS > expiryS) {
+      isExpiryReported = true;
+      log(
+          LogLevelEnum.WARN,
+          String.format(
+              Locale.ROOT,
+              "commands expire %.2f s after a state, but the next one came after %.2f s: expected a COMMAND EXPIRY longer than the period of states",
+              expiryS,
+              stepS));
+    }
   }
 
   /**

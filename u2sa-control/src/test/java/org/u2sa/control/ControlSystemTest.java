@@ -58,6 +58,18 @@ class ControlSystemTest {
   }
 
   @Test
+  void callback_statesRarerThanCommandsExpire_isReportedOnce() {
+    for (int i = 0; i < 4; i++) {
+      kit.publish(Channels.STATE, state());
+      kit.advance(0.6);
+    }
+
+    assertThat(kit.log(control.getServiceName()).stream().filter(l -> l.contains("COMMAND EXPIRY")))
+        .hasSize(1)
+        .allMatch(line -> line.contains("commands expire 0.50 s after a state"));
+  }
+
+  @Test
   void callback_freshNavigationPoint_isHandedOn() {
     NavigationPoint point = NavigationPoint.at(Point.of(1.0, 2.0, 3.0));
     kit.publish(Channels.NAVIGATION, point);
