@@ -8,6 +8,7 @@ import java.nio.file.StandardCopyOption;
 import java.util.Collection;
 import java.util.Collections;
 import java.util.Optional;
+import org.u2sa.core.communication.limit.BrokerLimits;
 import org.u2sa.core.security.AccessRule;
 import org.u2sa.core.security.AccessTable;
 import org.u2sa.core.security.SecretFile;
@@ -18,8 +19,6 @@ import org.u2sa.messages.schema.MessageTypes;
 
 /** Exports the embedded broker's users and roles to Mosquitto's files (mosquitto.conf(5)). */
 final class MosquittoFiles {
-  private static final int LARGEST_PACKET = 1 << 21; // same as the embedded broker
-
   private MosquittoFiles() {}
 
   /** Writes all files to the folder, with the broker's certificate and key. */
@@ -51,7 +50,7 @@ final class MosquittoFiles {
         "acl_file " + folder.resolve("acl"),
         "persistence false",
         "max_connections 512",
-        "max_packet_size " + LARGEST_PACKET,
+        "max_packet_size " + BrokerLimits.LONGEST_PACKET,
         "max_queued_messages 1000",
         "max_queued_bytes 16777216",
         "set_tcp_nodelay true",

@@ -382,6 +382,18 @@ final class DirectSession implements MqttSession {
       if (!cut) {
         owner.arrived(topic, payload, retained);
       }
+      acknowledge(packetId);
+    }
+
+    @Override
+    public void skipped(String topic, int bytes, int packetId) {
+      if (!cut) {
+        owner.skipped(topic, bytes);
+      }
+      acknowledge(packetId);
+    }
+
+    private void acknowledge(int packetId) {
       if (packetId != 0) {
         synchronized (lock) {
           ByteBuffer room = outbox.room(MqttPackets.PUBACK_BYTES);

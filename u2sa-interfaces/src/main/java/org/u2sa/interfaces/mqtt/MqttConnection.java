@@ -214,6 +214,15 @@ final class MqttConnection implements Connection, MqttSession.Owner {
     }
   }
 
+  @Override
+  public void skipped(String topicName, int bytes) {
+    String start =
+        topicName.length() > MAX_TOPIC_LENGTH
+            ? topicName.substring(0, MAX_TOPIC_LENGTH) + "..."
+            : topicName;
+    incoming.refuse("a message of " + bytes + " bytes on " + start + " is too long");
+  }
+
   private Topic parsed(String topicName) {
     Topic known = parsed.get(topicName);
     if (known == null) {

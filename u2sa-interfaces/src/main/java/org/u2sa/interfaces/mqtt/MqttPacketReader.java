@@ -27,6 +27,12 @@ final class MqttPacketReader {
     /** PUBLISH; a packet identifier of 0 needs no acknowledgement. */
     void message(String topic, byte[] payload, int packetId, boolean retained);
 
+    /**
+     * PUBLISH that is too long and skipped. To end the session would not help: the broker sends a
+     * retained one again, and one of QoS 1 until it is acknowledged.
+     */
+    void skipped(String topic, int bytes, int packetId);
+
     /** PUBACK, SUBACK or UNSUBACK. */
     void answered(int packetId, byte[] codes);
   }
@@ -35,6 +41,7 @@ final class MqttPacketReader {
   private final byte[][] topicBytes = new byte[TOPICS][]; // cache of recurring topics
   private final String[] topics = new String[TOPICS];
   private ByteBuffer in = ByteBuffer.allocate(BUFFER); // unparsed bytes and free space
+  private int toSkip; // bytes to come of a PUBLISH that is too long
 
   MqttPacketReader(Handler handler) {
     this.handler = handler;
@@ -51,6 +58,7 @@ final class MqttPacketReader {
       throw new IOException("the broker ended the connection");
     }
     MqttPackets.flip(in);
+    skip();
     int needed = 0;
     while (needed == 0) {
       needed = takePacket();
@@ -62,6 +70,12 @@ final class MqttPacketReader {
       larger.put(in);
       in = larger;
     }
+  }
+
+  private void skip() {
+    int skipped = Math.min(toSkip, in.remaining());
+    MqttPackets.position(in, in.position() + skipped);
+    toSkip -= skipped;
   }
 
   /** Returns 0 if a packet was parsed, otherwise the minimum length of the next one. */
@@ -83,15 +97,18 @@ final class MqttPacketReader {
       }
     }
     int head = in.get(in.position()) & BYTE;
-    int longest = head >> 4 == PUBLISH ? LONGEST_PACKET : LONGEST_ANSWER;
-    if (length > longest) {
+    boolean isMessage = head >> 4 == PUBLISH;
+    if (isMessage && length > LONGEST_PACKET) {
+      return skipMessage(head, at, length);
+    }
+    if (!isMessage && length > LONGEST_ANSWER) {
       throw new IOException(
           "the broker sent a packet of "
               + length
               + " bytes and type "
               + (head >> 4)
               + "; at most "
-              + longest);
+              + LONGEST_ANSWER);
     }
     int end = at + length;
     if (end > in.limit()) {
@@ -104,6 +121,23 @@ final class MqttPacketReader {
       throw new IOException("the broker sent a broken packet of type " + (head >> 4), e);
     }
     MqttPackets.position(in, end);
+    return 0;
+  }
+
+  /** Like {@link #takePacket}, of a PUBLISH without its payload. */
+  private int skipMessage(int head, int at, int length) throws IOException {
+    int start = in.position();
+    int known = in.limit() - at; // bytes after the length
+    int needed = 2 + (known < 2 ? 0 : (in.getShort(at) & SHORT) + 2); // topic, packet identifier
+    if (known < needed || needed == 2) {
+      return at + needed - start;
+    }
+    MqttPackets.position(in, at);
+    String topic = topic(in.getShort() & SHORT);
+    handler.skipped(topic, length, packetId(head));
+    MqttPackets.position(in, at);
+    toSkip = length;
+    skip();
     return 0;
   }
 
@@ -124,13 +158,18 @@ final class MqttPacketReader {
 
   private void takeMessage(int head, int end) throws IOException {
     String topic = topic(in.getShort() & SHORT);
+    int packetId = packetId(head);
+    handler.message(topic, rest(end), packetId, (head & 1) != 0);
+  }
+
+  private int packetId(int head) throws IOException {
     int quality = head >> 1 & 3;
     int packetId = quality == 0 ? 0 : in.getShort() & SHORT;
     if (quality > 1 || quality == 1 && packetId == 0) {
       throw new IOException(
           "the broker sent a message of QoS " + quality + " with packet identifier " + packetId);
     }
-    handler.message(topic, rest(end), packetId, (head & 1) != 0);
+    return packetId;
   }
 
   private byte[] rest(int end) {

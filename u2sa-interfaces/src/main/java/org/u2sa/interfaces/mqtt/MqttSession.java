@@ -17,6 +17,9 @@ interface MqttSession {
      */
     void arrived(String topicName, byte[] payload, boolean isOld);
 
+    /** Reports a message that is too long to be received; must not throw. */
+    void skipped(String topicName, int bytes);
+
     void lost(MqttSession session, String why);
   }
 

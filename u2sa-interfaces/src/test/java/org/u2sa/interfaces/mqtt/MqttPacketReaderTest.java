@@ -35,6 +35,11 @@ class MqttPacketReaderTest {
     }
 
     @Override
+    public void skipped(String topic, int bytes, int packetId) {
+      heard.add("skipped " + topic + " " + bytes + " " + packetId);
+    }
+
+    @Override
     public void answered(int packetId, byte[] codes) {
       heard.add("answered " + packetId + " " + Arrays.toString(codes));
     }
@@ -138,7 +143,6 @@ class MqttPacketReaderTest {
           32 01 00          | broken packet of type 3
           10 00             | packet of type 1
           30 ff ff ff ff 01 | packet's length of more than 4 bytes
-          30 ff ff ff 7f    | packet of 268435455 bytes and type 3; at most 1179648
           20 81 40          | packet of 8193 bytes and type 2; at most 8192
           40 81 40          | packet of 8193 bytes and type 4; at most 8192
           90 81 40          | packet of 8193 bytes and type 9; at most 8192
@@ -154,6 +158,29 @@ class MqttPacketReaderTest {
         .isInstanceOf(IOException.class)
         .hasMessage("the broker sent a " + what);
     assertThat(heard).isEmpty();
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {1, 7, 1_000, 1 << 20, 1 << 22})
+  void read_messagesThatAreTooLong_areSkipped(int atATime) {
+    byte[] tooLong = new byte[(1 << 20) + (1 << 17)];
+    new Random(2).nextBytes(tooLong);
+    ByteBuffer bytes = ByteBuffer.allocate(1 << 22);
+    byte[] topic = MqttPackets.text(TOPIC);
+    MqttPackets.putPublish(bytes, topic, tooLong, 0, true);
+    MqttPackets.putPublish(bytes, topic, new byte[] {7}, 1, false);
+    MqttPackets.putPublish(bytes, MqttPackets.text("other"), tooLong, 65_535, false);
+    MqttPackets.putPublish(bytes, topic, new byte[] {8}, 0, false);
+    bytes.flip();
+
+    read(bytes, atATime);
+
+    assertThat(heard)
+        .containsExactly(
+            "skipped " + TOPIC + " " + (tooLong.length + topic.length + 2) + " 0",
+            TOPIC + " " + Arrays.hashCode(new byte[] {7}) + " 1 false",
+            "skipped other " + (tooLong.length + 5 + 4) + " 65535",
+            TOPIC + " " + Arrays.hashCode(new byte[] {8}) + " 0 false");
   }
 
   @Test
