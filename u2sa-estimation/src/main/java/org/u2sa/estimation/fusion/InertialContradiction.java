@@ -55,7 +55,7 @@ final class InertialContradiction {
   }
 
   static boolean isOfMotion(SensedQuantity quantity) {
-    return SpeedDoubt.isOfPosition(quantity) || SpeedDoubt.isOfSpeed(quantity);
+    return quantity.isPlace() || SpeedDoubt.isOfSpeed(quantity);
   }
 
   /**
@@ -87,7 +87,7 @@ final class InertialContradiction {
         SensedQuantity quantity = SensedQuantity.at(q);
         if (isOfMotion(quantity) && trust.isKnown(source, quantity)) {
           int at = trust.of(s, source, quantity);
-          for (int i = 0; i < 2 && SpeedDoubt.isOfPosition(quantity); i++) {
+          for (int i = 0; i < 2 && quantity.isPlace(); i++) {
             double apart = s.trust[at + SourceTrust.STREAK_NEWEST + i];
             s.p.data[(FilterState.POSITION + i) * (FilterState.N + 1)] +=
                 s.trust[at + SourceTrust.STREAK] > 0.0 ? apart * apart : 0.0;
