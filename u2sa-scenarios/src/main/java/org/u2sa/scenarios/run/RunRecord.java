@@ -36,8 +36,7 @@ public final class RunRecord {
   private boolean
       onLine; // whether the vehicle came from the waypoint at which the leg begins, and is on its
   // way
-  private Optional<Station> station = Optional.empty(); // the target, if it is one
-  private double nearestM; // to it so far
+  private boolean isStation; // whether the target is one
   private boolean seen = true; // whether there is a sample with the current target
   private long startMicros = NOT_YET;
   private volatile boolean missionOver;
@@ -100,31 +99,19 @@ public final class RunRecord {
     int next = goals.goals().isEmpty() ? names.size() : names.indexOf(goals.goals().get(0).uid());
     if (next != leg) {
       onLine = next == leg + 1 && (leg >= 0 || !begun);
-      nearestM = Double.POSITIVE_INFINITY;
     }
     leg = next;
     begun = true;
-    station =
-        goals.goals().stream()
-            .limit(1)
-            .filter(Station.class::isInstance)
-            .map(Station.class::cast)
-            .findFirst();
+    isStation = goals.goals().stream().limit(1).anyMatch(Station.class::isInstance);
   }
 
-  /**
-   * Whether the vehicle is at its station or on the circle around it: with the station's radius, or
-   * the planner's, on which it comes no nearer.
-   */
+  /** Whether the vehicle is at its station or on the circle around it. */
   private boolean hasArrived(double longitudeDeg, double latitudeDeg) {
-    if (station.isEmpty() || leg < 0 || leg >= names.size()) {
-      return false;
-    }
-    double distanceM = plan.distanceM(leg, longitudeDeg, latitudeDeg);
-    double slackM = plan.waypoints().get(leg).captureRadiusM();
-    double radiusM = Math.abs(station.get().radius().orElse(0.0));
-    nearestM = Math.min(nearestM, distanceM);
-    return distanceM <= radiusM + slackM || (radiusM == 0.0 && distanceM > nearestM + slackM);
+    return isStation
+        && leg >= 0
+        && leg < names.size()
+        && plan.distanceM(leg, longitudeDeg, latitudeDeg)
+            <= plan.waypoints().get(leg).captureRadiusM();
   }
 
   /**
