@@ -274,6 +274,36 @@ class FlightGoalsTest {
     assertThat(lowestM).isGreaterThan(25.0); // not below the approach anywhere else
   }
 
+  @ParameterizedTest
+  @CsvSource({"12, 0", "0, -10"})
+  void landing_positionMovesBelowADescent_isFlownToAfterRisingStraightUp(
+      double north, double down) {
+    kit.start(PathPlanner::new);
+    ned = Point.of(0.0, 0.0, -8.0);
+    pursue(new Landing().z(0.0).x(0.0).y(0.0));
+    while (ned.z() < -1.0) {
+      step(2.0);
+    }
+    pursue(new Landing().z(down).x(north).y(0.0));
+    double lowestAwayM = Double.POSITIVE_INFINITY;
+    double highestM = 0.0;
+    while (kit.nowS() < 120.0 && reports().isEmpty()) {
+      step(5.0);
+      boolean isAway = ned.x() > 0.1 && ned.x() < 10.9;
+      lowestAwayM = isAway ? Math.min(lowestAwayM, -ned.z()) : lowestAwayM;
+      highestM = Math.max(highestM, -ned.z());
+      if (ned.z() > down && highestM > -down) {
+        ned = Point.of(ned.x(), ned.y(), down); // the ground
+        velocity = Point.ORIGIN;
+      }
+    }
+
+    assertThat(reports().get(0).completed()).isTrue();
+    assertThat(lowestAwayM).isGreaterThan(2.9);
+    assertThat(highestM).isBetween(3.0 - down, 4.1 - down);
+    assertThat(ned.x()).isCloseTo(north, within(1.1));
+  }
+
   @Test
   void landing_multirotor_descendsAboveItsPositionAndIsCompletedOnceItStands() {
     kit.start(PathPlanner::new);
