@@ -107,7 +107,9 @@ final class GroundStay {
   /** Sees that the vehicle is led to a goal. */
   void lead(GoalInformation goal, Plan plan, long micros) {
     descends = goal instanceof Landing;
-    landed = descends && plan.progress() == Plan.Progress.COMPLETED;
+    boolean isAbandonedAtRest =
+        plan.progress() == Plan.Progress.ABANDONED && plan.points().isEmpty();
+    landed = descends && (plan.progress() == Plan.Progress.COMPLETED || isAbandonedAtRest);
     left &= !landed;
     if (!armed || landed || plan.points().isEmpty()) {
       firstLed = NEVER;

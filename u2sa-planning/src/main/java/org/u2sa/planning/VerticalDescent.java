@@ -21,6 +21,7 @@ import org.u2sa.planning.guidance.Vehicle;
 final class VerticalDescent implements LandingState.Descent {
   private static final double SIGMAS = 2.0; // of the altitude, by which the ground may come sooner
   private static final double SLOW_BELOW_M = 4.0; // height above the ground given by the goal
+  private static final double FAR_M = 10.0; // from the position
   private static final double LOW_M = 3.0; // height up to which it must not lean
 
   private final Detour detour;
@@ -94,5 +95,10 @@ final class VerticalDescent implements LandingState.Descent {
   @Override
   public boolean isFinal() {
     return above;
+  }
+
+  @Override
+  public double farM(Landing goal) {
+    return Math.max(FAR_M, goal.horizontalThreshold());
   }
 }
