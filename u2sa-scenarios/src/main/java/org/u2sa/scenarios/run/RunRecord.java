@@ -1,6 +1,7 @@
 package org.u2sa.scenarios.run;
 
 import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -8,6 +9,7 @@ import java.util.function.Consumer;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.report.score.RunPlan;
@@ -27,6 +29,7 @@ public final class RunRecord {
   private final Consumer<TrackSample> screen;
   private final Set<String> leftOut = new HashSet<>();
   private final Set<String> done = new HashSet<>();
+  private final Set<String> landings = new LinkedHashSet<>(); // of the plan, once current
   private List<String> current = List.of(); // goals
   private double currentAfterS = Double.NEGATIVE_INFINITY; // last sample before they were current
   private double lastS = Double.NEGATIVE_INFINITY;
@@ -102,6 +105,9 @@ public final class RunRecord {
     }
     leg = next;
     begun = true;
+    goals.goals().stream()
+        .filter(goal -> goal instanceof Landing && names.contains(goal.uid()))
+        .forEach(goal -> landings.add(goal.uid()));
     isStation = goals.goals().stream().limit(1).anyMatch(Station.class::isInstance);
   }
 
@@ -169,6 +175,11 @@ public final class RunRecord {
   /** Current goals not completed because enough others were; call like {@link #track}. */
   Set<String> leftOut() {
     return leftOut;
+  }
+
+  /** Landings that were pursued and not completed; call like {@link #track}. */
+  public List<String> landingsMissed() {
+    return landings.stream().filter(uid -> !done.contains(uid) && !leftOut.contains(uid)).toList();
   }
 
   /** Whether the Mission Manager has no goal left. Thread-safe. */

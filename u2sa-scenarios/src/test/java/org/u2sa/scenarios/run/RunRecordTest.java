@@ -10,6 +10,7 @@ import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.goal.ObjectGoal;
 import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.Waypoint;
@@ -105,6 +106,16 @@ class RunRecordTest {
     crossTrackM();
 
     assertThat(record.leftOut()).containsExactly("a");
+  }
+
+  @Test
+  void landingsMissed_pursuedAndNotCompleted_areThoseOfThePlan() {
+    crossTrackM(new Landing().uid("home")); // of a failsafe
+    crossTrackM(new Landing().uid("a"));
+    crossTrackM(new Landing().uid("b"));
+    record.received(done("a"));
+
+    assertThat(record.landingsMissed()).containsExactly("b");
   }
 
   @Test
