@@ -38,7 +38,8 @@ final class StraightApproach implements LandingState.Descent {
   private static final double FLIES_ON_S = 10.0; // after the position, whatever its height, …
   private static final double FLIES_ON_SHARE = 0.9; // … if it has kept its speed over ground …
   private static final double FLIES_ON_MPS = 5.0; // … and does not creep
-  private static final double FAR_M = 1000.0; // from the position: not on its runway
+  private static final double FAR_M = 1000.0; // from the position: not on its runway, …
+  private static final double FAR_RADII = 3.0; // … nor so many radii of downwind turns
   private static final double ALONG_RAD = Math.toRadians(30.0); // maximum course error on the line
   private static final int ATTEMPTS = 3;
   private static final int BREAK_OFFS = 6;
@@ -65,6 +66,7 @@ final class StraightApproach implements LandingState.Descent {
   private int attempts;
   private int breakOffs;
   private boolean leaves; // leaving the line on which the approach was aborted
+  private boolean climbs; // straight on, before it may turn
   private OptionalDouble psi = OptionalDouble.empty(); // direction required by the goal
   private long passedMicros = NOT_YET; // when it passed the position
   private double passedMps; // speed over ground then
@@ -95,6 +97,7 @@ final class StraightApproach implements LandingState.Descent {
     attempts = 1;
     breakOffs = 0;
     leaves = false;
+    climbs = false;
     psi = goal.psi();
     Point to = vehicle.nedOf(Place.of(goal));
     Optional<Point> wind = AirMass.wind(state, vehicle);
@@ -137,10 +140,9 @@ final class StraightApproach implements LandingState.Descent {
     double remainingM = to.x() * Math.cos(courseRad) + to.y() * Math.sin(courseRad);
     Point toEntry = vehicle.nedOf(entry);
     proceed(vehicle, entry, toEntry, remainingM > lengthM);
-    if (phase == Phase.JOIN
-        && leaves
-        && to.z() < Math.min(MIN_BREAK_OFF_M, lengthM * slope / 2.0)) {
-      return Plan.underWay(List.of(up(vehicle, place, highM))); // no turn near the ground
+    climbs &= to.z() < lengthM * slope / 2.0 || vehicle.downMps() > 0.0;
+    if (climbs) {
+      return Plan.underWay(List.of(up(vehicle, place, highM)));
     }
     if (phase == Phase.JOIN && detour.isPossible()) {
       return around(goal, state, vehicle, entry);
@@ -190,7 +192,7 @@ final class StraightApproach implements LandingState.Descent {
 
   @Override
   public double farM(Landing goal) {
-    return FAR_M;
+    return Math.max(FAR_M, FAR_RADII * radiusM);
   }
 
   /** Whether it has passed the position without touching down, which would have slowed it. */
@@ -325,6 +327,7 @@ final class StraightApproach implements LandingState.Descent {
     }
     attempts++;
     leaves = true;
+    climbs = true;
     join();
     return new Plan(points, Plan.Progress.UNDER_WAY, off + ": trying again");
   }
