@@ -140,7 +140,8 @@ final class StraightApproach implements LandingState.Descent {
     double remainingM = to.x() * Math.cos(courseRad) + to.y() * Math.sin(courseRad);
     Point toEntry = vehicle.nedOf(entry);
     proceed(vehicle, entry, toEntry, remainingM > lengthM);
-    climbs &= to.z() < lengthM * slope / 2.0 || vehicle.downMps() > 0.0;
+    double share = vehicle.downMps() > 0.0 ? 1.0 : 0.5; // of the height of the approach
+    climbs &= to.z() < share * lengthM * slope;
     if (climbs) {
       return Plan.underWay(List.of(up(vehicle, place, highM)));
     }
