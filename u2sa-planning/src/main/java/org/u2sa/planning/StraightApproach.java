@@ -39,7 +39,7 @@ final class StraightApproach implements LandingState.Descent {
   private static final double FLIES_ON_SHARE = 0.9; // … if it has kept its speed over ground …
   private static final double FLIES_ON_MPS = 5.0; // … and does not creep
   private static final double FAR_M = 1000.0; // from the position: not on its runway, …
-  private static final double FAR_RADII = 3.0; // … nor so many radii of downwind turns
+  private static final double FAR_RADII = 4.0; // … nor so many radii of downwind turns
   private static final double ALONG_RAD = Math.toRadians(30.0); // maximum course error on the line
   private static final int ATTEMPTS = 3;
   private static final int BREAK_OFFS = 6;
