@@ -1,6 +1,7 @@
 package org.u2sa.planning;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
@@ -13,7 +14,7 @@ import org.u2sa.planning.guidance.Vehicle;
 
 /**
  * {@link Landing}: descends along a straight approach or vertically; completed when the vehicle has
- * been at rest for a while, abandoned when it lies on its side.
+ * been at rest for a while, abandoned when it lies on its side or far from the position.
  */
 final class LandingState implements PlannerState {
   private static final double STILL_MPS = 0.25;
@@ -31,6 +32,9 @@ final class LandingState implements PlannerState {
 
     /** Whether the vehicle is on its final descent: if it does not sink, it has landed. */
     boolean isFinal();
+
+    /** Distance from the position beyond which the vehicle has landed elsewhere [m]. */
+    double farM(Landing goal);
   }
 
   private final Supplier<LineSettings> lines;
@@ -101,8 +105,12 @@ final class LandingState implements PlannerState {
     }
     double upright =
         Math.cos(pursuit.state().phi().orElse(0.0)) * Math.cos(pursuit.state().theta().orElse(0.0));
-    return upright < COS_ON_SIDE
-        ? new Plan(plan.points(), Plan.Progress.ABANDONED, "given up: has tipped over")
-        : new Plan(List.copyOf(plan.points()), Plan.Progress.COMPLETED, "stands");
+    double awayM = distanceM(goal, pursuit.state());
+    String stands = String.format(Locale.ROOT, "stands %.1f m from its position", awayM);
+    if (upright >= COS_ON_SIDE && awayM <= descent().farM(goal)) {
+      return new Plan(List.copyOf(plan.points()), Plan.Progress.COMPLETED, stands);
+    }
+    String reason = "given up: " + (upright < COS_ON_SIDE ? "has tipped over" : stands);
+    return new Plan(List.of(), Plan.Progress.ABANDONED, reason);
   }
 }

@@ -179,10 +179,10 @@ final class WaypointState implements PlannerState {
     look(vehicle, target, waypoint, downM);
     last = Optional.of(pursuit.state());
     List<NavigationPoint> points = List.of(point);
-    if (reached && (guidance.isNearest() || !target.isHorizontal())) {
+    boolean climbs = isClimbing(waypoint, downM, vehicle);
+    if (reached && !climbs && (guidance.isNearest() || !target.isHorizontal())) {
       return new Plan(points, Plan.Progress.COMPLETED, "reached, " + passing(waypoint, downM));
     }
-    boolean climbs = isClimbing(waypoint, downM, vehicle);
     if (!guidance.hasPassed() || climbs) {
       return Plan.underWay(points);
     }
@@ -190,15 +190,17 @@ final class WaypointState implements PlannerState {
   }
 
   /**
-   * Whether a vehicle that can stop is still climbing or descending at a waypoint. Drifting over
-   * the waypoint meanwhile does not count as passing it.
+   * Whether a vehicle that can stop is still climbing or descending at a waypoint, also at the very
+   * edge of its threshold, where an estimation error could cause a miss. Drifting over the waypoint
+   * meanwhile does not count as passing it.
    */
   private boolean isClimbing(Waypoint waypoint, double downM, Vehicle vehicle) {
     boolean comesNearer = altitude.comesNearer(Math.abs(downM), vehicle.timestampMicros());
     return comesNearer
         && settings.get().turnAcceleration() == 0.0
         && nowM <= waypoint.horizontalThreshold()
-        && Math.abs(downM) > waypoint.verticalThreshold().orElse(Double.POSITIVE_INFINITY);
+        && Math.abs(downM)
+            > SHARE_NEAR * waypoint.verticalThreshold().orElse(Double.POSITIVE_INFINITY);
   }
 
   /**
@@ -326,7 +328,8 @@ final class WaypointState implements PlannerState {
       return turned(waypoint, vehicle, target, point, downM);
     }
     List<NavigationPoint> points = List.of(point);
-    if (reached && isNearEnough(waypoint, pursuit.state())) {
+    boolean climbs = isClimbing(waypoint, downM, vehicle);
+    if (reached && !climbs && isNearEnough(waypoint, pursuit.state())) {
       avoidance.reached(vehicle, pursuit.state());
       return new Plan(points, Plan.Progress.COMPLETED, "reached, " + passing(waypoint, downM));
     }
