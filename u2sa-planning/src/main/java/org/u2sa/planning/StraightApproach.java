@@ -31,6 +31,7 @@ final class StraightApproach implements LandingState.Descent {
   /** Lengths of the level part to try, in radii of downwind turns. */
   private static final double[] LEAD_RADII = {3.0, 2.0, 4.5, 1.5};
 
+  private static final double MOVED_M = 1.0; // a goal that another update leaves in its place
   private static final long NOT_YET = Long.MAX_VALUE;
   private static final double ROLL_OUT_M = 500.0; // length of the line beyond the position
   private static final double PASSED_M = 50.0; // this far beyond the position …
@@ -68,6 +69,7 @@ final class StraightApproach implements LandingState.Descent {
   private boolean leaves; // leaving the line on which the approach was aborted
   private boolean climbs; // straight on, before it may turn
   private OptionalDouble psi = OptionalDouble.empty(); // direction required by the goal
+  private Place touchDown; // at which the descent is aimed
   private long passedMicros = NOT_YET; // when it passed the position
   private double passedMps; // speed over ground then
   private double courseRad;
@@ -128,8 +130,12 @@ final class StraightApproach implements LandingState.Descent {
     double slope = Math.tan(goal.slope().orElse(Math.toRadians(settings.get().approachSlope())));
     double highM = place.upM().orElseThrow() + lengthM * slope;
     boolean isHigh = phase != Phase.DOWN || vehicle.nedOf(place).z() > MIN_BREAK_OFF_M;
-    if (isHigh && !psi.equals(goal.psi())) {
+    boolean isMoved = phase == Phase.DOWN && hasMoved(vehicle, place);
+    if (isMoved && isHigh || isHigh && !psi.equals(goal.psi())) {
       begin(goal, state, vehicle);
+      climbs = isMoved; // a turn on the slope would end low and beside the runway
+    } else if (isMoved) {
+      place = touchDown; // too late
     }
     if (isHigh && blocksDescent(vehicle, state, place, lengthM, highM)) {
       return elsewhere(goal, state, vehicle, highM);
@@ -170,6 +176,7 @@ final class StraightApproach implements LandingState.Descent {
         return again(off(acrossM, toEntry.z()), vehicle.body(toEntry));
       }
       phase = Phase.DOWN;
+      touchDown = place;
     }
     if (remainingM < -PASSED_M && to.z() > HIGH_M) {
       return again(off(acrossM, to.z()), vehicle.body(toEntry));
@@ -206,6 +213,13 @@ final class StraightApproach implements LandingState.Descent {
     return passedMicros != NOT_YET
         && Clock.seconds(now - passedMicros) > FLIES_ON_S
         && vehicle.speedMps() > Math.max(FLIES_ON_MPS, FLIES_ON_SHARE * passedMps);
+  }
+
+  /** Whether the goal is no longer where the descent leads. */
+  private boolean hasMoved(Vehicle vehicle, Place goal) {
+    Point to = vehicle.nedOf(goal);
+    Point before = vehicle.nedOf(touchDown);
+    return Math.hypot(to.x() - before.x(), to.y() - before.y()) > MOVED_M;
   }
 
   private boolean blocksDescent(

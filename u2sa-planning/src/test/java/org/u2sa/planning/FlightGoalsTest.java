@@ -297,6 +297,27 @@ class FlightGoalsTest {
     assertThat(Math.abs(ned.y())).isLessThan(3.0);
   }
 
+  @ParameterizedTest
+  @CsvSource({"-25, 200", "-12, 0"})
+  void landing_positionMovesOnTheSlope_goesRoundForItOrStaysOnTheRunway(double down, double east) {
+    plane();
+    ned = Point.of(-800.0, 0.0, -40.0);
+    pursue(new Landing().approach(300.0).slope(0.1).psi(0.0).z(0.0).x(0.0).y(0.0));
+    while (kit.nowS() < 200.0 && ned.z() < down) {
+      step(20.0);
+    }
+    pursue(new Landing().approach(300.0).slope(0.1).psi(0.0).z(0.0).x(100.0).y(200.0));
+    double lowestMps = 0.0;
+    while (kit.nowS() < 600.0 && ned.z() < -1.0) {
+      step(20.0);
+      lowestMps = ned.z() > -10.0 ? Math.max(lowestMps, Math.abs(velocity.y())) : lowestMps;
+    }
+
+    assertThat(ned.z()).isGreaterThan(-1.0);
+    assertThat(ned.y()).isCloseTo(east, within(3.0));
+    assertThat(lowestMps).as("turns low").isLessThan(1.0);
+  }
+
   /** The ground is below the position: control flies on above it. */
   @Test
   void landing_aeroplaneFliesOnLowBeyondThePosition_isGivenUpAfterThreeApproaches() {
