@@ -1,5 +1,7 @@
 package org.u2sa.estimation.fusion;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.u2sa.estimation.measurement.SensedQuantity;
 
 /**
@@ -80,8 +82,22 @@ final class InertialContradiction {
     }
   }
 
-  /** Admits the positions that contradict the estimate, and ends all contradictions. */
+  /**
+   * Admits the positions that contradict the estimate, and ends all contradictions. Speeds that did
+   * not contradict it, such as those of an encoder with a wrong scale, are doubted.
+   */
   void admit(FilterState s) {
+    List<Integer> doubted = new ArrayList<>();
+    for (int source = 0; source < trust.sources(); source++) {
+      for (int q = 0; q < SensedQuantity.count() && !contradicts(s, source); q++) {
+        SensedQuantity quantity = SensedQuantity.at(q);
+        if (SpeedDoubt.isOfSpeed(quantity) && trust.isKnown(source, quantity)) {
+          int at = trust.of(s, source, quantity);
+          boolean isUsed = s.micros - s.trust[at + SourceTrust.LAST_USED] < SINCE_S * 1e6;
+          doubted.addAll(isUsed ? List.of(at) : List.of());
+        }
+      }
+    }
     for (int source = 0; source < trust.sources(); source++) {
       for (int q = 0; q < SensedQuantity.count(); q++) {
         SensedQuantity quantity = SensedQuantity.at(q);
@@ -97,6 +113,8 @@ final class InertialContradiction {
         }
       }
     }
+    double mps = Math.hypot(s.x[FilterState.V], s.x[FilterState.V + 1]);
+    doubted.forEach(at -> SpeedDoubt.accuse(s, at, mps));
     s.slidingMicros = 0;
     s.resets++;
   }

@@ -113,14 +113,17 @@ final class SpeedDoubt {
 
   private boolean doubt(FilterState s, int accuser, double drift) {
     List<Integer> speeds = speeds(s, accuser);
-    for (int at : speeds) {
-      s.trust[at + SourceTrust.DOUBT_MPS] = drift;
-      s.trust[at + SourceTrust.IS_BIASED] = 1.0;
-      for (int i = 0; i < 3; i++) {
-        s.trust[at + SourceTrust.DOUBT_MEAN + i] = Double.NaN; // none yet
-      }
-    }
+    speeds.forEach(at -> accuse(s, at, drift));
     return !speeds.isEmpty();
+  }
+
+  /** Begins the doubt about a speed, which differs by so much from others. */
+  static void accuse(FilterState s, int at, double mps) {
+    s.trust[at + SourceTrust.DOUBT_MPS] = mps;
+    s.trust[at + SourceTrust.IS_BIASED] = 1.0;
+    for (int i = 0; i < 3; i++) {
+      s.trust[at + SourceTrust.DOUBT_MEAN + i] = Double.NaN; // none yet
+    }
   }
 
   /** Offsets of the speeds of other sources that were used lately. */
