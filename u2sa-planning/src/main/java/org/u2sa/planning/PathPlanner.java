@@ -17,6 +17,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.ManualState;
 import org.u2sa.planning.avoidance.Avoidance;
@@ -415,13 +416,14 @@ public class PathPlanner extends EventDrivenService {
     }
     goal = Optional.of(chosen);
     foreseen = after.map(GoalInformation::uid).orElse("");
-    Plan plan =
+    Plan next =
         Vehicle.of(state)
             .flatMap(
                 vehicle ->
                     ground.rise(chosen, vehicle).or(() -> climb(Optional.of(chosen), vehicle)))
             .map(up -> Plan.underWay(List.of(up)))
             .orElseGet(() -> planner.get().plan(pursuit));
+    Plan plan = guarded(next, chosen, state);
     ground.lead(chosen, plan, clock().micros());
     if (!plan.remark().isEmpty()) {
       LogLevelEnum level =
@@ -436,6 +438,20 @@ public class PathPlanner extends EventDrivenService {
     List<NavigationPoint> points = view.with(plan.points(), chosen, state);
     complaint = "";
     return points;
+  }
+
+  /** The step without climbing or descending into what is above or below. */
+  private Plan guarded(Plan next, GoalInformation to, StateInformation state) {
+    Vehicle vehicle = Vehicle.of(state).orElseThrow();
+    Optional<Place> ground =
+        to instanceof Landing landing ? Optional.of(Place.of(landing)) : Optional.empty();
+    Optional<String> why =
+        next.points().stream()
+            .filter(point -> point.subsystem().equals("VEHICLE"))
+            .findFirst()
+            .flatMap(point -> avoidance.guard(to.uid(), vehicle, state, point, ground));
+    boolean goesOn = next.progress() == Plan.Progress.UNDER_WAY;
+    return goesOn && why.isPresent() ? Plan.unless(why, next.points()) : next;
   }
 
   private void show(PlannedPath path, StateInformation state) {

@@ -156,6 +156,9 @@ final class WaypointState implements PlannerState {
     Waypoint waypoint = (Waypoint) pursuit.goal();
     Place target = Place.of(waypoint);
     follow(target);
+    if (avoidance.isHeldUp() && !reached) {
+      altitude.begin(); // it waits, and has not missed the waypoint
+    }
     Vehicle vehicle = Vehicle.of(pursuit.state()).orElseThrow();
     Optional<Order> order = order(waypoint, target, vehicle, pursuit);
     if (order.filter(Order::isNew).isPresent() || yields && order.isEmpty()) {
