@@ -18,6 +18,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.Landing;
+import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.TakeOff;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.shape.Cylinder;
@@ -125,6 +126,22 @@ class VerticalWayTest extends PlannedVehicle {
     assertThat(report.abandoned()).isTrue();
     assertThat(report.reason().orElseThrow()).endsWith(reason);
     assertThat(logged("an obstacle is in the way of the descent")).isPositive();
+  }
+
+  /** A waypoint without vertical threshold is reached below the bridge, and held above it. */
+  @Test
+  void atEndHold_belowABridge_endsAtItsClearance() {
+    kit.with("AT END", "HOLD");
+    start(2.0);
+    assertThat(
+            pursue(new Station().duration(1.0).x(0.0).y(0.0).z(-25.0), 60.0, slab(12.0, 14.0))
+                .completed())
+        .isTrue();
+    goals();
+    for (int i = 0; i < 200; i++) {
+      step(0.0, slab(12.0, 14.0));
+    }
+    assertThat(highestM).isLessThan(12.0 - CLEARANCE_M + 0.01);
   }
 
   @ParameterizedTest
