@@ -21,6 +21,7 @@ import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.TakeOff;
 import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.shape.Circle;
 import org.u2sa.messages.shape.Cylinder;
 import org.u2sa.messages.shape.Sphere;
 
@@ -153,6 +154,24 @@ class VerticalWayTest extends PlannedVehicle {
     assertThat(lowestM).isGreaterThan(heightM + CLEARANCE_M - 0.01);
     assertThat(report.abandoned()).isTrue();
     assertThat(report.reason().orElseThrow()).contains("in the way of the descent");
+  }
+
+  @Test
+  void landing_somethingOfUnknownHeightAppearsOnItsPlace_isNotDescendedTo() {
+    start(15.0);
+    begin(new Landing().x(0.0).y(0.0).z(0.0));
+    for (int i = 0; i < 20; i++) {
+      step(0.0);
+    }
+    double thenM = upM;
+    Circle seen = new Circle().radius(0.3);
+    seen.uid("person").objectType("person").referenceFrame(ReferenceFrame.LOCAL_NED).x(0).y(0);
+    while (kit.nowS() < 60.0 && kit.latest(Channels.GOAL_REPORTS).isEmpty()) {
+      step(0.0, seen);
+    }
+    assertThat(thenM).isLessThan(14.0);
+    assertThat(lowestM).isGreaterThan(thenM - 0.5);
+    assertThat(kit.latest(Channels.GOAL_REPORTS).orElseThrow().abandoned()).isTrue();
   }
 
   @Test

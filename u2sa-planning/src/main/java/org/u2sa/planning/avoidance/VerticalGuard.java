@@ -44,7 +44,7 @@ final class VerticalGuard {
 
   /**
    * Part of a vertical way down to the clearance of a static obstacle, as of the last update of the
-   * world: down [m].
+   * world: down [m]. Nothing is landed on whose height is unknown.
    *
    * @param at vehicle on the plane [m]
    * @param way to its next point; obstacles are looked for as far along it as the vehicle needs to
@@ -72,7 +72,8 @@ final class VerticalGuard {
     shapes.addAll(world.shapesElsewhere());
     for (PlanarShape shape : shapes) {
       double edge = sign > 0.0 ? shape.topDownM() : shape.bottomDownM();
-      double aheadM = sign * (edge - at.z());
+      boolean isEndless = Double.isInfinite(edge) && ground.isPresent() && sign > 0.0;
+      double aheadM = isEndless ? Double.MIN_VALUE : sign * (edge - at.z());
       boolean isInTheWay =
           aheadM > 0.0 && aheadM < freeM + now.verticalClearance() && edge < highestM;
       for (int i = 0; isInTheWay && i <= steps; i++) {
