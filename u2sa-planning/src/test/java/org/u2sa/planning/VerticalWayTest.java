@@ -218,6 +218,28 @@ class VerticalWayTest extends PlannedVehicle {
     assertThat(logged("traffic is in the way of the climb: waiting")).isEqualTo(1);
   }
 
+  /** Another multirotor comes down to 25 m, and then flies off. */
+  @Test
+  void takeOff_somethingDescendsAbove_waitsUntilItIsGone() {
+    start(0.0);
+    begin(new TakeOff().z(-60.0));
+    double nearestM = Double.POSITIVE_INFINITY;
+    while (kit.nowS() < 90.0 && kit.latest(Channels.GOAL_REPORTS).isEmpty()) {
+      double highM = 60.0 - kit.nowS();
+      if (highM < 25.0) {
+        step(0.0);
+        continue;
+      }
+      Sphere other = crossing(kit.nowS(), 0.0, highM, 5.0);
+      other.motion().velocity(Point.of(0.0, 0.0, 1.0));
+      nearestM = Math.min(nearestM, highM - upM);
+      step(0.0, other);
+    }
+    assertThat(kit.latest(Channels.GOAL_REPORTS).orElseThrow().completed()).isTrue();
+    assertThat(nearestM).isGreaterThan(8.5);
+    assertThat(logged("traffic is in the way of the climb: waiting")).isEqualTo(1);
+  }
+
   @Test
   void landing_someoneWalksOverItsPlace_waitsUntilHeHasPassed() {
     Landing landing = new Landing();
