@@ -412,6 +412,17 @@ class FlightGoalsTest {
   }
 
   @Test
+  void landing_multirotorWithHeading_turnsToItWhileItDescends() {
+    kit.start(PathPlanner::new);
+    ned = Point.of(0.0, 0.0, -12.0);
+    heading = 0.5;
+    pursue(new Landing().psi(2.0).z(0.0).x(0.0).y(0.0));
+    step(5.0);
+    double turn = kit.latest(Channels.NAVIGATION).orElseThrow().turn().orElseThrow();
+    assertThat(turn).isCloseTo(1.5, within(1e-9));
+  }
+
+  @Test
   void landing_groundFarAboveItsPosition_isGivenUpAndStaysOnTheGround() {
     kit.with("AT END", "HOLD").start(PathPlanner::new);
     ned = Point.of(0.0, 0.0, -12.0);
