@@ -9,6 +9,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.Landing;
 import org.u2sa.planning.avoidance.Avoidance;
+import org.u2sa.planning.guidance.Leg;
 import org.u2sa.planning.guidance.LineGuidance;
 import org.u2sa.planning.guidance.LineSettings;
 import org.u2sa.planning.guidance.Place;
@@ -88,8 +89,9 @@ final class VerticalDescent implements LandingState.Descent {
     // Near the ground, the target moves along, because control sinks in proportion to its distance.
     double slowM = SLOW_BELOW_M + SIGMAS * state.zSigma().orElse(0.0);
     double downM = Math.max(to.z() - slowM, settings.get().touchDownSink());
-    return Plan.underWay(
-        List.of(NavigationPoint.at(vehicle.body(Point.of(to.x(), to.y(), downM)))));
+    NavigationPoint down = NavigationPoint.at(vehicle.body(Point.of(to.x(), to.y(), downM)));
+    goal.psi().ifPresent(psi -> down.turn(Leg.wrapped(psi - vehicle.headingRad())));
+    return Plan.underWay(List.of(down));
   }
 
   @Override

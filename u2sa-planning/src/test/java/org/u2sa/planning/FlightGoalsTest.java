@@ -432,6 +432,35 @@ class FlightGoalsTest {
     assertThat(kit.log("PathPlanner")).anyMatch(line -> line.contains("has tipped over"));
   }
 
+  @Test
+  void landing_multirotorWithHeading_turnsToItWhileItDescends() {
+    kit.start(PathPlanner::new);
+    ned = Point.of(0.0, 0.0, -12.0);
+    heading = 0.5;
+    pursue(new Landing().psi(2.0).z(0.0).x(0.0).y(0.0));
+    step(5.0);
+    double turn = kit.latest(Channels.NAVIGATION).orElseThrow().turn().orElseThrow();
+    assertThat(turn).isCloseTo(1.5, within(1e-9));
+  }
+
+  @Test
+  void landing_groundFarAboveItsPosition_isGivenUpAndStaysOnTheGround() {
+    kit.with("AT END", "HOLD").start(PathPlanner::new);
+    ned = Point.of(0.0, 0.0, -12.0);
+    pursue(new Landing().z(8.0).x(0.0).y(0.0));
+    while (kit.nowS() < 90.0 && reports().isEmpty()) {
+      step(5.0);
+      if (ned.z() > 0.0) {
+        ned = Point.ORIGIN; // the ground
+        velocity = Point.ORIGIN;
+      }
+    }
+    assertThat(reports().get(0).abandoned()).isTrue();
+    assertThat(reports().get(0).reason().orElseThrow()).contains("stands 8.0 m above its position");
+    kit.publish(Channels.GOALS, new GoalList());
+    assertThat(step(5.0)).isEqualTo(Point.of(0.0, 0.0, 1.0));
+  }
+
   /** The landing's position is above the ground: it would be climbed to. */
   @Test
   void landing_completedAndAtEndHold_staysOnTheGround() {
