@@ -16,6 +16,9 @@ import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.core.communication.access.Users;
 import org.u2sa.core.communication.routing.Publication;
@@ -169,11 +172,31 @@ class SessionLoginTest {
     write(AccessRole.OBSERVER);
     Files.setLastModifiedTime(file, FileTime.fromMillis(1_000));
     client.filter.tidy();
-    client.passSeconds(1);
+    until(
+        client,
+        () -> {
+          client.passSeconds(1);
+          return !client.channel.isOpen();
+        });
 
-    assertThat(client.channel.isOpen()).isFalse();
     assertThat(client.log)
         .anyMatch(line -> line.startsWith("client disconnected, its user was changed or removed:"));
+  }
+
+  /** A pipe that nobody writes to keeps its reader waiting. */
+  @Test
+  @Timeout(120)
+  @EnabledOnOs(OS.LINUX)
+  void look_diskHangs_doesNotWaitAndKnownUsersLogIn() throws Exception {
+    Files.delete(file);
+    assertThat(new ProcessBuilder("mkfifo", "-m", "600", file.toString()).start().waitFor())
+        .isZero();
+    client.filter.tidy();
+    client.filter.tidy();
+    logIn();
+
+    assertThat(client.channel.isOpen()).isTrue();
+    Files.newOutputStream(file).close(); // waits for the reader, and lets it go on
   }
 
   @Test
