@@ -21,6 +21,7 @@ final class MissionFiles {
           MissionVariables.MISSION, MissionVariables.RETURN_MISSION, MissionVariables.LAND_MISSION);
 
   private final ServiceContext context;
+
   private record Content(Mission mission, String digest) {}
 
   private final Map<String, LoadedFile<Content>> loaded = new TreeMap<>(); // by variable

@@ -51,10 +51,7 @@ final class Resumable {
       foundDigest = digest.get();
       found =
           saved.read(
-              run.mission().origin(),
-              foundDigest,
-              settings.get().loop(),
-              settings.get().options());
+              run.mission().origin(), foundDigest, settings.get().loop(), settings.get().options());
     } catch (IOException e) {
       logger.log(LogLevelEnum.WARN, e.getMessage() + ": starting the mission from its first goal");
     }

@@ -4,8 +4,8 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.disk.LoadedFile;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.disk.LoadedFile;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.xml.XmlText;
 

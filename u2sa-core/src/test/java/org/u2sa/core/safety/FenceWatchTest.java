@@ -60,7 +60,8 @@ class FenceWatchTest {
     XmlConfiguration configuration = XmlConfiguration.inMemory("test", variables);
     Supplier<SafetyVariables> settings = configuration.settings(SafetyVariables.class);
     states = new PositionWatch(settings);
-    return new FenceWatch(configuration, settings, new FenceFile(configuration, new LockstepClock()), states);
+    return new FenceWatch(
+        configuration, settings, new FenceFile(configuration, new LockstepClock()), states);
   }
 
   /** A state between floor and ceiling. */

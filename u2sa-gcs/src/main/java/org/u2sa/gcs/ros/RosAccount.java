@@ -87,7 +87,11 @@ final class RosAccount {
     if (link == null) {
       link =
           new RemoteLink(
-              setting.broker().as(user, password), clientName, new SystemClock(), ANSWER_WITHIN_S, trouble);
+              setting.broker().as(user, password),
+              clientName,
+              new SystemClock(),
+              ANSWER_WITHIN_S,
+              trouble);
       operates = setting.operators().test(user);
     }
     return link;

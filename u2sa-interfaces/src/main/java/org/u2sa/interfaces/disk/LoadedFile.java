@@ -14,8 +14,8 @@ import org.u2sa.interfaces.time.Clock;
 /**
  * A file as loaded, which detects later changes. The loaded content stays in force, but a restart
  * of the service would load different content or fail. In real time a {@link DiskThread} looks at
- * the file, so that its user does not wait for a disk that hangs; in simulated time the caller does.
- * For use by one thread.
+ * the file, so that its user does not wait for a disk that hangs; in simulated time the caller
+ * does. For use by one thread.
  */
 public final class LoadedFile<T> {
   private static final DiskThread DISK = new DiskThread("u2sa-files");
