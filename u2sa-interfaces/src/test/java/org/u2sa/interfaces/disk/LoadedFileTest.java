@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.AfterEach;
@@ -65,9 +66,12 @@ class LoadedFileTest {
     }
   }
 
-  /** Looks at the file run in order. */
-  private void awaitLook() {
-    assertThat(LoadedFile.<String>read(path, file -> "looked", clock)).isEqualTo("looked");
+  /** What a look that begins now finds: jobs of the disk's thread run in order. */
+  private Optional<String> found(LoadedFile<String> file) {
+    LoadedFile.read(path, each -> "an earlier look has ended", clock);
+    file.fault();
+    LoadedFile.read(path, each -> "this look has ended", clock);
+    return file.fault();
   }
 
   @Test
@@ -84,8 +88,7 @@ class LoadedFileTest {
         .contains(path + ": a disk does not answer; the loaded values stay in force");
 
     answers.countDown();
-    awaitLook();
-    assertThat(file.fault()).contains(path + CHANGED);
+    assertThat(found(file)).contains(path + CHANGED);
     assertThat(file.content()).isEqualTo("old");
   }
 
@@ -93,16 +96,11 @@ class LoadedFileTest {
   void fault_fileDeletedAndRestoredLater_isFoundByTheNextLooks() throws IOException {
     LoadedFile<String> file = new LoadedFile<>(path, this::read, clock);
     Path away = Files.move(path, folder.resolve("away.xml"));
-    assertThat(file.fault()).isEmpty();
-    awaitLook();
-    assertThat(file.fault())
+    assertThat(found(file))
         .contains(path + ": unreadable; the previously loaded values stay in force");
-    awaitLook();
-    Files.move(away, path);
-    assertThat(file.fault()).isPresent();
-    awaitLook();
 
-    assertThat(file.fault()).isEmpty();
+    Files.move(away, path);
+    assertThat(found(file)).isEmpty();
   }
 
   @Test
