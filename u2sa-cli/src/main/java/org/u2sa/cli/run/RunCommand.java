@@ -41,8 +41,9 @@ import picocli.CommandLine.Parameters;
     description = {
       "Run the system described by a file, in real time.",
       "",
-      "The file lists the services of a vehicle, for example config/cessna/system.xml. Each service has its configuration "
-          + "file and writes its log file. Ctrl-C or a stop command ends all of them."
+      "The file lists the services of a vehicle, for example config/cessna/system.xml. Each service"
+          + " has its configuration file and writes its log file. Ctrl-C or a stop command ends all"
+          + " of them."
     })
 public final class RunCommand extends BaseCommand {
   private static final Clock CLOCK = new SystemClock();
@@ -70,7 +71,8 @@ public final class RunCommand extends BaseCommand {
       names = "--set",
       paramLabel = "SERVICE:VARIABLE=VALUE",
       description =
-          "Set a configuration variable for this run, for example --set \"PathPlanner:LOOK AHEAD=200.0\". May be given several times.")
+          "Set a configuration variable for this run, for example --set \"PathPlanner:LOOK"
+              + " AHEAD=200.0\". May be given several times.")
   private List<String> settings = List.of();
 
   @Option(
@@ -83,7 +85,8 @@ public final class RunCommand extends BaseCommand {
       paramLabel = "SERVICE",
       split = ",",
       description =
-          "Run only these services, given by simple class name and separated by commas; connect to the Communication Manager at its configured address.")
+          "Run only these services, given by simple class name and separated by commas; connect to"
+              + " the Communication Manager at its configured address.")
   private List<String> only = List.of();
 
   @Option(
@@ -118,7 +121,8 @@ public final class RunCommand extends BaseCommand {
   @Option(
       names = "--through-broker",
       description =
-          "Send all messages between the services of this process through the broker; like delivery=\"broker\" in the file.")
+          "Send all messages between the services of this process through the broker; like"
+              + " delivery=\"broker\" in the file.")
   private boolean throughBroker;
 
   @Mixin private MavlinkLinks mavlink;
@@ -154,6 +158,7 @@ public final class RunCommand extends BaseCommand {
     if (broker != null) {
       settings.addAll(settingsOfBroker());
     } else if (host == null && only.isEmpty()) {
+      refuseSecondRun(system);
       evadeTakenPort(system);
     }
     set(options, system);
@@ -220,7 +225,6 @@ public final class RunCommand extends BaseCommand {
     int port = manager.communicationManagerPort();
     OptionalInt free = TakenPort.replacement(manager.bindAddress(), port);
     if (free.isPresent()) {
-      refuseSecondRun(system);
       settings.add(MANAGER + ":" + ManagerVariables.PORT + "=" + free.getAsInt());
       print(
           String.format(
@@ -234,14 +238,15 @@ public final class RunCommand extends BaseCommand {
   }
 
   /** Rejects a second run of the same vehicle, because both would command its devices. */
-  private static void refuseSecondRun(SystemFile system) {
-    LocalSystems.ofAccount().running().stream()
-        .filter(each -> each.systemId().equals(system.systemId()))
+  private void refuseSecondRun(SystemFile system) {
+    LocalSystems.ofAccount().brokers(Optional.of(system.systemId()), this::print).stream()
         .findFirst()
         .ifPresent(
-            each -> {
+            at -> {
               throw new BadInputException(
-                  "system " + each + " is already running on this machine; end it first");
+                  String.format(
+                      "system %s at %s is already running on this machine; end it first",
+                      system.systemId(), at));
             });
   }
 
