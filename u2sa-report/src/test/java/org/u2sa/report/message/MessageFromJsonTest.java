@@ -109,14 +109,16 @@ class MessageFromJsonTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "{\"actuatorName\": \"a\", \"percent\": 3} | no field \"percent\"; did you mean \"percentage\"?",
+        "{\"actuatorName\": \"a\", \"percent\": 3} | no field \"percent\"; did you mean"
+            + " \"percentage\"?",
         "{\"actuatorName\": \"a\", \"percentage\": 300} | -100.0…100.0 %",
         "{\"actuatorName\": \"a\", \"percentage\": true} | expected a number [%], not true",
         "{\"actuatorName\": \"a\", \"percentage\": \"fast\"} | expected a number [%], not \"fast\"",
         "{\"actuatorName\": \"a\", \"percentage\": null} | expected a number [%], not null",
         "{\"actuatorName\": 7, \"percentage\": 3} | expected a text, not 7",
         "{\"percentage\": 3} | field \"actuatorName\" of PercentageCommand is required",
-        "{\"actuatorName\": \"a\", \"timestamp\": 1.5, \"percentage\": 1} | expected a whole number, not 1.5",
+        "{\"actuatorName\": \"a\", \"timestamp\": 1.5, \"percentage\": 1} | expected a whole"
+            + " number, not 1.5",
         "{\"actuatorName\": \"a\" | line 1, column",
         "[1] | expected a JSON object",
         "{\"percentage\": 1, \"percentage\": 2} | Duplicate field 'percentage'",
@@ -142,5 +144,22 @@ class MessageFromJsonTest {
   void object_deeplyNested_isRefused() {
     assertThatThrownBy(() -> JsonReader.object("JSON", "{\"a\":" + "[".repeat(100_000)))
         .isInstanceOf(BadInputException.class);
+  }
+
+  @Test
+  void message_whatReadersWouldRefuse_isRefusedNamingTheField() {
+    assertThatThrownBy(() -> read(StateInformation.TYPE, "{\"x\": \"10 deg\", \"y\": 95}"))
+        .isInstanceOf(BadInputException.class)
+        .hasMessage("JSON: StateInformation, y: the latitude 95.0 deg is outside -90…90 deg");
+    assertThat(read(StateInformation.TYPE, "{\"y\": 95, \"referenceFrame\": \"LOCAL_ENU\"}"))
+        .isNotNull();
+    assertThatThrownBy(
+            () ->
+                read(
+                    CameraImage.TYPE,
+                    "{\"sensorName\": \"c\", \"format\": \"image/jpeg\", \"data\": \"\", \"width\":"
+                        + " 1000000}"))
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContaining("a size of 1000000 x 0 px");
   }
 }
