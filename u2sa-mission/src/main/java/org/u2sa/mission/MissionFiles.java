@@ -28,9 +28,11 @@ final class MissionFiles {
     this.context = context;
   }
 
-  /** Reads a mission file and monitors it from now on, instead of the variable's previous file. */
-  Mission load(String variable, String path, double thresholdM) {
-    Path file = context.configuration().resolve(path);
+  /**
+   * Reads the mission file of a variable and monitors it from now on, instead of its previous file.
+   */
+  Mission load(String variable, double thresholdM) {
+    Path file = context.configuration().namedFile(variable);
     LoadedFile watched = new LoadedFile(file, each -> read(variable, each, thresholdM));
     Mission mission = read(variable, file, thresholdM);
     loaded.put(variable, watched);

@@ -130,7 +130,7 @@ public final class MissionManager extends PeriodicService {
   }
 
   private GoalSequence load() {
-    Mission mission = files.load(MissionVariables.MISSION, settings.get().mission(), thresholdM());
+    Mission mission = files.load(MissionVariables.MISSION, thresholdM());
     try {
       digest = SavedMission.digest(Paths.get(mission.origin()));
     } catch (IOException e) {

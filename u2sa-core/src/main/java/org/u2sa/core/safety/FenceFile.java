@@ -29,7 +29,7 @@ final class FenceFile {
       loaded = Optional.empty();
       return Optional.empty();
     }
-    Path file = configuration.resolve(path);
+    Path file = configuration.namedFile(SafetyVariables.FENCE);
     LoadedFile watched = new LoadedFile(file, each -> read(each, marginM));
     GivenFence fence = read(file, marginM);
     loaded = Optional.of(watched);

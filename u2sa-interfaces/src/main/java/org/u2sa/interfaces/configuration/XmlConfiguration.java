@@ -155,6 +155,21 @@ public final class XmlConfiguration implements Configurator {
     return file.map(own -> own.resolveSibling(path).normalize()).orElseGet(() -> Paths.get(path));
   }
 
+  /**
+   * File that a text variable names, see {@link #resolve}.
+   *
+   * @throws ConfigurationException if there is no such file; names the variable's file and line
+   */
+  public Path namedFile(String variableName) {
+    String value = (String) getVariable(variableName);
+    Path named = resolve(value);
+    if (!Files.exists(named)) {
+      String what = String.format("\"%s\": there is no file %s", value, named);
+      throw values.get(all -> all.error(variableName, what));
+    }
+    return named;
+  }
+
   /** The file, or the name of a configuration without a file. */
   public String origin() {
     return values.origin();

@@ -1,6 +1,7 @@
 package org.u2sa.interfaces.configuration;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -34,7 +35,8 @@ class XmlConfigurationTest {
     Path file =
         file(
             "<configuration>\n"
-                + "<variable name=\"COMMUNICATION MANAGER IP\" type=\"string\" value=\"localhost\"/>\n"
+                + "<variable name=\"COMMUNICATION MANAGER IP\" type=\"string\""
+                + " value=\"localhost\"/>\n"
                 + "</configuration>\n");
 
     assertThat(XmlConfiguration.load(file).getVariable("COMMUNICATION MANAGER IP"))
@@ -54,9 +56,13 @@ class XmlConfigurationTest {
   @Test
   void setVariable_commentsAndOddFormatting_onlyTheValueChanges() throws IOException {
     String before =
-        "\uFEFF<?xml version=\"1.0\" encoding=\"UTF-8\"?>\r\n<!-- <variable name=\"RATE\" value=\"1\"/> -->\r\n"
-            + "<configuration>\r\n\t<variable   value = '%s'\r\n  type=\"double\" name=\"RATE\" /> <!-- Hz é -->\r\n"
-            + "  <variable name='A>B' type='string' value='x'></variable>\r\n</configuration>\r\n";
+        "\uFEFF<?xml version=\"1.0\" encoding=\"UTF-8\"?>\r\n"
+            + "<!-- <variable name=\"RATE\" value=\"1\"/> -->\r\n"
+            + "<configuration>\r\n"
+            + "\t<variable   value = '%s'\r\n"
+            + "  type=\"double\" name=\"RATE\" /> <!-- Hz é -->\r\n"
+            + "  <variable name='A>B' type='string' value='x'></variable>\r\n"
+            + "</configuration>\r\n";
     Path file = file(String.format(before, "5"));
     XmlConfiguration configuration = XmlConfiguration.load(file);
 
@@ -70,7 +76,9 @@ class XmlConfigurationTest {
   void setVariable_absentButDeclared_isAddedAsLastChild() throws IOException {
     Path file =
         file(
-            "<configuration>\n    <variable name=\"A\" type=\"int\" value=\"1\"/>\n</configuration>\n");
+            "<configuration>\n"
+                + "    <variable name=\"A\" type=\"int\" value=\"1\"/>\n"
+                + "</configuration>\n");
     XmlConfiguration configuration = XmlConfiguration.load(file);
     configuration.getVariable(BANK_LIMIT);
 
@@ -116,5 +124,22 @@ class XmlConfigurationTest {
     assertThat(XmlConfiguration.load(file).resolve("/a.xml")).isEqualTo(Path.of("/a.xml"));
     assertThat(XmlConfiguration.inMemory("none", Map.of()).resolve("a.xml"))
         .isEqualTo(Path.of("a.xml"));
+  }
+
+  @Test
+  void namedFile_absent_isRefusedNamingFileLineVariableAndValue() throws IOException {
+    Path file =
+        file(
+            "<configuration>\n"
+                + "<variable name='MISSION' type='string' value='Mission.xml'/></configuration>");
+    XmlConfiguration configuration = XmlConfiguration.load(file);
+    Path mission = folder.resolve("Mission.xml");
+
+    assertThatThrownBy(() -> configuration.namedFile("MISSION"))
+        .isInstanceOf(ConfigurationException.class)
+        .hasMessage(
+            file + ", line 2, variable \"MISSION\": \"Mission.xml\": there is no file " + mission);
+    Files.writeString(mission, "<mission/>");
+    assertThat(configuration.namedFile("MISSION")).isEqualTo(mission);
   }
 }
