@@ -55,8 +55,7 @@ final class ServiceConfiguration {
     if (!NAME.matcher(name).matches()) {
       throw new ConfigurationException(
           String.format(
-              "service name \"%s\" (variable \"SERVICE NAME\"): expected 1 to 64 letters, digits,"
-                  + " spaces, '_', '.' or '-', beginning with a letter, digit or '_'",
+              "service name \"%s\" (variable \"SERVICE NAME\"): expected 1 to 64 letters, digits, spaces, '_', '.' or '-', beginning with a letter, digit or '_'",
               name));
     }
     return name;
@@ -125,13 +124,10 @@ final class ServiceConfiguration {
           double healthInterval,
       @Variable(min = 1, max = 1_000_000, ifAbsent = 1024)
           @Description(
-              "Capacity of the service's message queue; messages beyond it are dropped and"
-                  + " counted.")
+              "Capacity of the service's message queue; messages beyond it are dropped and counted.")
           int inboxCapacity,
       @Variable(unit = "us", min = 0, max = 10_000, ifAbsent = 0)
           @Description(
-              "Time for which the service spins (busy-waits) for the next message or step before it"
-                  + " sleeps: lower latency for more CPU load. Real time only; 0: sleeps"
-                  + " immediately.")
+              "Time for which the service spins (busy-waits) for the next message or step before it sleeps: lower latency for more CPU load. Real time only; 0: sleeps immediately.")
           double spin) {}
 }

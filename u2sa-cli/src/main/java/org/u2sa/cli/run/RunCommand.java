@@ -41,9 +41,8 @@ import picocli.CommandLine.Parameters;
     description = {
       "Run the system described by a file, in real time.",
       "",
-      "The file lists the services of a vehicle, for example config/cessna/system.xml. Each service"
-          + " has its configuration file and writes its log file. Ctrl-C or a stop command ends all"
-          + " of them."
+      "The file lists the services of a vehicle, for example config/cessna/system.xml. Each service has its configuration "
+          + "file and writes its log file. Ctrl-C or a stop command ends all of them."
     })
 public final class RunCommand extends BaseCommand {
   private static final Clock CLOCK = new SystemClock();
@@ -71,8 +70,7 @@ public final class RunCommand extends BaseCommand {
       names = "--set",
       paramLabel = "SERVICE:VARIABLE=VALUE",
       description =
-          "Set a configuration variable for this run, for example --set \"PathPlanner:LOOK"
-              + " AHEAD=200.0\". May be given several times.")
+          "Set a configuration variable for this run, for example --set \"PathPlanner:LOOK AHEAD=200.0\". May be given several times.")
   private List<String> settings = List.of();
 
   @Option(
@@ -85,8 +83,7 @@ public final class RunCommand extends BaseCommand {
       paramLabel = "SERVICE",
       split = ",",
       description =
-          "Run only these services, given by simple class name and separated by commas; connect to"
-              + " the Communication Manager at its configured address.")
+          "Run only these services, given by simple class name and separated by commas; connect to the Communication Manager at its configured address.")
   private List<String> only = List.of();
 
   @Option(
@@ -121,8 +118,7 @@ public final class RunCommand extends BaseCommand {
   @Option(
       names = "--through-broker",
       description =
-          "Send all messages between the services of this process through the broker; like"
-              + " delivery=\"broker\" in the file.")
+          "Send all messages between the services of this process through the broker; like delivery=\"broker\" in the file.")
   private boolean throughBroker;
 
   @Mixin private MavlinkLinks mavlink;

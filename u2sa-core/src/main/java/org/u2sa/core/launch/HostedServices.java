@@ -210,8 +210,7 @@ final class HostedServices implements ServiceHost {
       console.accept(
           "Service "
               + service.getServiceName()
-              + " hangs and cannot be stopped: its thread is abandoned and disconnected from all"
-              + " others.");
+              + " hangs and cannot be stopped: its thread is abandoned and disconnected from all others.");
     }
   }
 

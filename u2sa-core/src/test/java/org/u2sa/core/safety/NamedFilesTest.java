@@ -145,8 +145,7 @@ class NamedFilesTest extends WatchedVehicle {
     arm(false);
     assertThat(arm(true).reasons())
         .containsExactly(
-            "failsafe matrix: ON LOW BATTERY is LAND, but the Mission Manager has loaded no LAND"
-                + " MISSION");
+            "failsafe matrix: ON LOW BATTERY is LAND, but the Mission Manager has loaded no LAND MISSION");
   }
 
   @Test

@@ -35,8 +35,7 @@ class XmlConfigurationTest {
     Path file =
         file(
             "<configuration>\n"
-                + "<variable name=\"COMMUNICATION MANAGER IP\" type=\"string\""
-                + " value=\"localhost\"/>\n"
+                + "<variable name=\"COMMUNICATION MANAGER IP\" type=\"string\" value=\"localhost\"/>\n"
                 + "</configuration>\n");
 
     assertThat(XmlConfiguration.load(file).getVariable("COMMUNICATION MANAGER IP"))
@@ -56,13 +55,9 @@ class XmlConfigurationTest {
   @Test
   void setVariable_commentsAndOddFormatting_onlyTheValueChanges() throws IOException {
     String before =
-        "\uFEFF<?xml version=\"1.0\" encoding=\"UTF-8\"?>\r\n"
-            + "<!-- <variable name=\"RATE\" value=\"1\"/> -->\r\n"
-            + "<configuration>\r\n"
-            + "\t<variable   value = '%s'\r\n"
-            + "  type=\"double\" name=\"RATE\" /> <!-- Hz é -->\r\n"
-            + "  <variable name='A>B' type='string' value='x'></variable>\r\n"
-            + "</configuration>\r\n";
+        "\uFEFF<?xml version=\"1.0\" encoding=\"UTF-8\"?>\r\n<!-- <variable name=\"RATE\" value=\"1\"/> -->\r\n"
+            + "<configuration>\r\n\t<variable   value = '%s'\r\n  type=\"double\" name=\"RATE\" /> <!-- Hz é -->\r\n"
+            + "  <variable name='A>B' type='string' value='x'></variable>\r\n</configuration>\r\n";
     Path file = file(String.format(before, "5"));
     XmlConfiguration configuration = XmlConfiguration.load(file);
 
@@ -76,9 +71,7 @@ class XmlConfigurationTest {
   void setVariable_absentButDeclared_isAddedAsLastChild() throws IOException {
     Path file =
         file(
-            "<configuration>\n"
-                + "    <variable name=\"A\" type=\"int\" value=\"1\"/>\n"
-                + "</configuration>\n");
+            "<configuration>\n    <variable name=\"A\" type=\"int\" value=\"1\"/>\n</configuration>\n");
     XmlConfiguration configuration = XmlConfiguration.load(file);
     configuration.getVariable(BANK_LIMIT);
 

@@ -30,13 +30,11 @@ class HostileBytesTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "a16178fb7ff8000000000000 | StateInformation.x, byte 12: StateInformation.x: expected a"
-            + " finite number [m], not \"NaN\"",
+        "a16178fb7ff8000000000000 | StateInformation.x, byte 12: StateInformation.x: expected a finite number [m], not \"NaN\"",
         "a16178fb7ff0000000000000 | not \"Infinity\"",
         "a1617861 79 | expected a number, not text",
         "a16178f6 | expected a number, not null",
-        "a26178fb00000000000000006178fb0000000000000000 | StateInformation.x, byte 14: the key"
-            + " occurs twice",
+        "a26178fb00000000000000006178fb0000000000000000 | StateInformation.x, byte 14: the key occurs twice",
         "a2617100617100 | StateInformation.q, byte 6: the key occurs twice",
         "a0a0 | expected the end of the message, not more bytes",
         "a000 | expected the end of the message, not more bytes",

@@ -109,16 +109,14 @@ class MessageFromJsonTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "{\"actuatorName\": \"a\", \"percent\": 3} | no field \"percent\"; did you mean"
-            + " \"percentage\"?",
+        "{\"actuatorName\": \"a\", \"percent\": 3} | no field \"percent\"; did you mean \"percentage\"?",
         "{\"actuatorName\": \"a\", \"percentage\": 300} | -100.0…100.0 %",
         "{\"actuatorName\": \"a\", \"percentage\": true} | expected a number [%], not true",
         "{\"actuatorName\": \"a\", \"percentage\": \"fast\"} | expected a number [%], not \"fast\"",
         "{\"actuatorName\": \"a\", \"percentage\": null} | expected a number [%], not null",
         "{\"actuatorName\": 7, \"percentage\": 3} | expected a text, not 7",
         "{\"percentage\": 3} | field \"actuatorName\" of PercentageCommand is required",
-        "{\"actuatorName\": \"a\", \"timestamp\": 1.5, \"percentage\": 1} | expected a whole"
-            + " number, not 1.5",
+        "{\"actuatorName\": \"a\", \"timestamp\": 1.5, \"percentage\": 1} | expected a whole number, not 1.5",
         "{\"actuatorName\": \"a\" | line 1, column",
         "[1] | expected a JSON object",
         "{\"percentage\": 1, \"percentage\": 2} | Duplicate field 'percentage'",

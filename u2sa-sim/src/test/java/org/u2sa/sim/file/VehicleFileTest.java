@@ -74,27 +74,27 @@ class VehicleFileTest {
       delimiter = '|',
       textBlock =
           """
-<mass unit="kg">35</mass>|<mass unit="kg">-3</mass>|vehicle.xml, line 4, <mass>: -3.0 kg: expected above 0 and at most 1.0E9 kg
-<mass unit="kg">35</mass>|<mass unit="lb">35 </mass>x|text
-<mass unit="kg">35</mass>|<mass unit="m">35</mass>|vehicle.xml, line 4, <mass>: unit "m" measures length, expected mass: kg, lb
-<mass unit="kg">35</mass>|<mass unit="kg">heavy</mass>|vehicle.xml, line 4, <mass>: "heavy" is not a number of kg
-<mass unit="kg">35</mass>|<mas unit="kg">35</mas>|vehicle.xml, line 3, <body>: lacks <mass>; expected a value in kg
-<mass unit="kg">35</mass>|<mass unit="kg">35</mass><wight>3</wight>|vehicle.xml, line 4, <wight>: unknown element in <body>; expected mass, inertia, gravityCentre, inertiaAbout, outline
-0.8 1.6 2.2|0.8 1.6|vehicle.xml, line 5, <inertia>: "0.8 1.6": expected three numbers of kg m^2
-0.8 1.6 2.2|0.8 0.1 2.2|vehicle.xml, line 5, <inertia>: (0.8, 0.1, 2.2) kg m^2: no body has these moments; expected none above the sum of the other two
-0.02 0 -0.18|0.02 0 0.18|vehicle.xml, line 6, <gravityCentre>: the third number is 0.18 m: expected -2.0…0 m; down is positive
-<motor preset="AndyMark PG27"/>|<motor preset="AndyMark PG72"/>|vehicle.xml, line 20, <motor>: preset "AndyMark PG72": expected one of AndyMark PG27, Pololu 37D 30:1
-<axles unit="m">0.32 0 -0.32</axles>|<axles unit="m">0.32</axles>|vehicle.xml, line 15, <skidSteer>: axles [0.32]: expected at least two different positions
-0.02 0 -0.18|0.5 0 -0.18|vehicle.xml, line 15, <skidSteer>: axle -0.32 m: its wheels would carry -
-<ahead unit="m">0.5</ahead>|<ahead unit="m">-0.5</ahead>|vehicle.xml, line 7, <outline>: footprint
-<gps preset="survey"/>|<gps preset="survey"/><gps preset="phone"/>|is the second one without a service; expected service="NAME"
-<gps preset="survey"/>|<gps preset="survey"><sigma>-1</sigma></gps>|line 24, <sigma>: -1.0 m: expected 0.0…100.0 m
-<gps preset="survey"/>|<gps/>|line 24, <gps>: lacks <rate>; expected a value in Hz
-<gps preset="survey"/>|<gsp preset="survey"/>|line 24, <gsp>: unknown element in <vehicle>; expected name, body, differential, skidSteer, ackermann, vessel
-<skidSteer>|<skidSteer preset="six">|line 15, <skidSteer>: unknown attribute "preset"
-<name>Six</name>||line 1, <vehicle>: lacks <name>
-<capacity unit="Ah">20</capacity>|<capacity unit="Ah">1e400</capacity>|line 22, <capacity>: "1e400" is too large
-""")
+          <mass unit="kg">35</mass>|<mass unit="kg">-3</mass>|vehicle.xml, line 4, <mass>: -3.0 kg: expected above 0 and at most 1.0E9 kg
+          <mass unit="kg">35</mass>|<mass unit="lb">35 </mass>x|text
+          <mass unit="kg">35</mass>|<mass unit="m">35</mass>|vehicle.xml, line 4, <mass>: unit "m" measures length, expected mass: kg, lb
+          <mass unit="kg">35</mass>|<mass unit="kg">heavy</mass>|vehicle.xml, line 4, <mass>: "heavy" is not a number of kg
+          <mass unit="kg">35</mass>|<mas unit="kg">35</mas>|vehicle.xml, line 3, <body>: lacks <mass>; expected a value in kg
+          <mass unit="kg">35</mass>|<mass unit="kg">35</mass><wight>3</wight>|vehicle.xml, line 4, <wight>: unknown element in <body>; expected mass, inertia, gravityCentre, inertiaAbout, outline
+          0.8 1.6 2.2|0.8 1.6|vehicle.xml, line 5, <inertia>: "0.8 1.6": expected three numbers of kg m^2
+          0.8 1.6 2.2|0.8 0.1 2.2|vehicle.xml, line 5, <inertia>: (0.8, 0.1, 2.2) kg m^2: no body has these moments; expected none above the sum of the other two
+          0.02 0 -0.18|0.02 0 0.18|vehicle.xml, line 6, <gravityCentre>: the third number is 0.18 m: expected -2.0…0 m; down is positive
+          <motor preset="AndyMark PG27"/>|<motor preset="AndyMark PG72"/>|vehicle.xml, line 20, <motor>: preset "AndyMark PG72": expected one of AndyMark PG27, Pololu 37D 30:1
+          <axles unit="m">0.32 0 -0.32</axles>|<axles unit="m">0.32</axles>|vehicle.xml, line 15, <skidSteer>: axles [0.32]: expected at least two different positions
+          0.02 0 -0.18|0.5 0 -0.18|vehicle.xml, line 15, <skidSteer>: axle -0.32 m: its wheels would carry -
+          <ahead unit="m">0.5</ahead>|<ahead unit="m">-0.5</ahead>|vehicle.xml, line 7, <outline>: footprint
+          <gps preset="survey"/>|<gps preset="survey"/><gps preset="phone"/>|is the second one without a service; expected service="NAME"
+          <gps preset="survey"/>|<gps preset="survey"><sigma>-1</sigma></gps>|line 24, <sigma>: -1.0 m: expected 0.0…100.0 m
+          <gps preset="survey"/>|<gps/>|line 24, <gps>: lacks <rate>; expected a value in Hz
+          <gps preset="survey"/>|<gsp preset="survey"/>|line 24, <gsp>: unknown element in <vehicle>; expected name, body, differential, skidSteer, ackermann, vessel
+          <skidSteer>|<skidSteer preset="six">|line 15, <skidSteer>: unknown attribute "preset"
+          <name>Six</name>||line 1, <vehicle>: lacks <name>
+          <capacity unit="Ah">20</capacity>|<capacity unit="Ah">1e400</capacity>|line 22, <capacity>: "1e400" is too large
+          """)
   void read_wrongField_namesFileLineFieldValueAndExpectation(
       String right, String wrong, String message) {
     String text = Vehicles.sixWheels();
