@@ -54,6 +54,51 @@ class LinkTest(unittest.TestCase):
         self.assertEqual(self.link.refused_channels(), [])
 
 
+class ConnectingTest(unittest.TestCase):
+    def link(self, refusals, error=ConnectionRefusedError(111, "Connection refused")):
+        """A link whose broker refuses so often, and the clock that its waits advance."""
+        self.troubles, self.now, self.left = [], 0.0, refusals
+        made = Link(Broker(port=1), "cessna", "Motor", lambda *_: None, self.troubles.append)
+        made._client = types.SimpleNamespace(loop_start=made._answered.set, loop_stop=lambda: None, disconnect=lambda: None)
+
+        def connect():
+            self.left -= 1
+            if self.left >= 0:
+                raise error
+
+        def sleep(seconds):
+            self.now += seconds
+
+        made._connect = connect
+        for each in (mock.patch.object(link.time, "monotonic", lambda: self.now), mock.patch.object(link.time, "sleep", sleep)):
+            each.start()
+            self.addCleanup(each.stop)
+        return made
+
+    def test_a_broker_that_listens_later_is_awaited_and_told_once(self):
+        self.link(5).open(patience_s=30.0)
+        self.assertEqual(self.troubles, ["no Communication Manager at localhost:1 yet; trying for 30 s"])
+
+    def test_a_broker_that_never_listens_is_given_up_in_one_line_without_a_cause(self):
+        with self.assertRaisesRegex(link.CannotConnect, "^no Communication Manager at localhost:1 after 2 s: .*refused") as given_up:
+            self.link(1000).open(patience_s=2.0)
+        self.assertTrue(given_up.exception.__suppress_context__)
+        self.assertGreaterEqual(self.now, 2.0)
+
+    def test_an_address_that_is_none_is_not_awaited(self):
+        with self.assertRaises(link.CannotConnect):
+            self.link(1000, OSError("Name or service not known")).open(patience_s=30.0)
+        self.assertEqual((self.troubles, self.now), ([], 0.0))
+
+    def test_an_address_names_host_and_port(self):
+        self.assertEqual(Broker.at("localhost:18830"), Broker("localhost", 18830))
+        self.assertEqual(Broker.at("rover"), Broker("rover", 1883))
+        self.assertEqual(Broker.at("[::1]:1884"), Broker("::1", 1884))
+        for wrong in ("", ":1883", "rover:", "rover:0", "rover:70000", "tcp://rover:1883", "a b"):
+            with self.assertRaisesRegex(ValueError, "expected HOST or HOST:PORT"):
+                Broker.at(wrong)
+
+
 @unittest.skipIf(os.name == "nt", "POSIX permissions")
 class TokenTest(unittest.TestCase):
     def setUp(self):

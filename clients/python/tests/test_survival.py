@@ -56,7 +56,7 @@ class SurvivalTest(unittest.TestCase):
         def failing(channel, message):
             raise ValueError("too large")
         self.service.link = types.SimpleNamespace(
-            open=lambda: None, close=lambda: None, subscribe=lambda _filter: None, publish=failing, instance="i",
+            open=lambda **_: None, close=lambda: None, subscribe=lambda _filter: None, publish=failing, instance="i",
             refused_channels=lambda: [])
         self.service.configuration._values["HEALTH INTERVAL"] = 0.01
         with self.assertLogs("u2sa.Survivor", "ERROR") as logged:

@@ -8,6 +8,7 @@ import re
 import ssl
 import stat
 import threading
+import time
 import uuid
 from dataclasses import dataclass
 from typing import Any, Callable, Dict, List, Optional, Set, Tuple
@@ -27,6 +28,7 @@ except ImportError:  # no POSIX accounts
 
 _KEEP_ALIVE_S = 5
 _BACK_OFF_S = (1, 30)
+_AGAIN_AFTER_S = 0.25
 _IN_FLIGHT = 4096
 
 
@@ -45,6 +47,15 @@ class Broker:
     ca_file: Optional[str] = None
     cert_file: Optional[str] = None
     key_file: Optional[str] = None
+
+    @staticmethod
+    def at(address: str) -> "Broker":
+        """The broker at HOST or HOST:PORT. :raises ValueError: if the address is not of that form"""
+        match = re.fullmatch(r"(?:\[([0-9a-fA-F:]+)\]|([^:\s]+))(?::([0-9]{1,5}))?", address)
+        port = int(match.group(3) or 1883) if match else 0
+        if match is None or not 1 <= port <= 65535:
+            raise ValueError(f'broker "{address}": expected HOST or HOST:PORT, such as localhost:1883')
+        return Broker(match.group(1) or match.group(2), port)
 
 
 def loopback(host: str) -> Optional[str]:
@@ -144,13 +155,9 @@ class Link:
         first: Dict[str, Any] = {"callback_api_version": versions.VERSION2} if versions else {}
         client: Any = mqtt.Client(client_id=client_id, clean_session=True, protocol=mqtt.MQTTv311, **first)
         broker = self._broker
-        local = loopback(broker.host)
         if broker.user is not None:
             client.username_pw_set(broker.user, broker.password)
-        elif broker.ca_file is None and local is not None:
-            if local_token(local, broker.port)[0] is not None:
-                self._host = local  # at another address of the same name any account of this host may listen
-            self._take_token(client)
+        self._prefer_token(client)
         if broker.ca_file is not None:
             client.tls_set(broker.ca_file, broker.cert_file, broker.key_file, tls_version=ssl.PROTOCOL_TLS_CLIENT)
         client.reconnect_delay_set(*_BACK_OFF_S)
@@ -170,6 +177,20 @@ class Link:
             if user is not None:
                 client.username_pw_set(user, password)
 
+    def _prefer_token(self, client: Any) -> None:
+        """Goes where this account has a token, if the broker has left one, and nobody else was named."""
+        broker = self._broker
+        local = loopback(broker.host)
+        if broker.user is None and broker.ca_file is None and local is not None:
+            if local_token(local, broker.port)[0] is not None:
+                self._host = local  # at another address of the same name any account of this host may listen
+            self._take_token(client)
+
+    def _connect(self) -> None:
+        """Tries to connect once: a broker that has just started has left its token."""
+        self._prefer_token(self._client)
+        self._client.connect(self._host, self._broker.port, _KEEP_ALIVE_S)
+
     def _surviving(self, what: str, callback: Callable[..., None]) -> Callable[..., None]:
         """A callback that reports its exceptions: they would end paho's thread, and with it the connection."""
         def survivor(*details: Any) -> None:
@@ -181,13 +202,28 @@ class Link:
                     self._trouble(f"{what} failed ({count} times so far): {type(e).__name__}: {e}")
         return survivor
 
-    def open(self, within_s: float = 5.0) -> None:
-        """Connects. :raises CannotConnect: if that fails; later losses are repaired without a word to the caller"""
+    def open(self, within_s: float = 5.0, patience_s: float = 0.0) -> None:
+        """Connects; later losses are repaired without a word to the caller.
+
+        :param within_s: for the broker's answer
+        :param patience_s: for a broker that does not listen yet
+        :raises CannotConnect: if that fails
+        """
         address = f"{self._broker.host}:{self._broker.port}"
-        try:
-            self._client.connect(self._host, self._broker.port, _KEEP_ALIVE_S)
-        except (OSError, ValueError) as e:
-            raise CannotConnect(f"no Communication Manager at {address}: {e}") from e
+        until = time.monotonic() + patience_s
+        waits = False
+        while True:
+            try:
+                self._connect()
+                break
+            except (OSError, ValueError) as e:
+                if not isinstance(e, ConnectionRefusedError) or time.monotonic() >= until:
+                    after = f" after {patience_s:g} s" if waits else ""
+                    raise CannotConnect(f"no Communication Manager at {address}{after}: {e}") from None
+                if not waits:
+                    self._trouble(f"no Communication Manager at {address} yet; trying for {patience_s:g} s")
+                waits = True
+                time.sleep(min(_AGAIN_AFTER_S, max(0.0, until - time.monotonic())))
         self._client.loop_start()
         if not self._answered.wait(within_s) or self._refusal is not None:
             reason = self._refusal or f"no answer within {within_s} s"

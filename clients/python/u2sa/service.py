@@ -8,7 +8,7 @@ import platform
 import signal
 import threading
 import time
-from typing import Callable, Dict, List, Mapping, Optional, Sequence, Tuple
+from typing import Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 from . import tables
 from .codec import decode
@@ -54,7 +54,7 @@ class Service:
 
     :param name: unique within the system
     :param system_id: the vehicle
-    :param broker: the Communication Manager
+    :param broker: the Communication Manager: a `Broker`, or its address, such as "localhost:1883"
     :param variables: the service's own
     :param file: its configuration; without one, changes last as long as the object
     """
@@ -66,7 +66,7 @@ class Service:
     #: Told to those who discover the service.
     version = "unversioned"
 
-    def __init__(self, name: str, system_id: str = "cessna", broker: Broker = Broker(),
+    def __init__(self, name: str, system_id: str = "cessna", broker: Union[Broker, str] = Broker(),
                  variables: Sequence[Variable] = (), file: Optional[pathlib.Path] = None,
                  schema: Schema = STANDARD) -> None:
         self.name = name
@@ -87,7 +87,7 @@ class Service:
         self.__reported = time.monotonic()
         self.__told: Optional[float] = None  # when data were published last
         self.__thread = threading.current_thread()
-        self.link = Link(broker, system_id, name, self._arrived, self._trouble)
+        self.link = Link(Broker.at(broker) if isinstance(broker, str) else broker, system_id, name, self._arrived, self._trouble)
         self.__contract = Contract(self)
         self.__newest: Dict[Tuple[str, str], int] = {}  # number of the last message; on paho's thread only
 
@@ -167,14 +167,15 @@ class Service:
 
     # The service's life.
 
-    def run(self, signals: bool = True) -> int:
+    def run(self, signals: bool = True, patience_s: float = 30.0) -> int:
         """Connects and serves until stopped; returns the process's exit code.
 
         :param signals: end in order on SIGTERM and SIGINT; only the main thread can ask for that
-        :raises CannotConnect: if the broker is not there in the beginning
+        :param patience_s: for a broker that does not listen yet, because its vehicle is just starting
+        :raises CannotConnect: if the broker is not there within that time, or refuses
         """
         self.__thread = threading.current_thread()
-        self.link.open()
+        self.link.open(patience_s=patience_s)
         if signals:
             for number in (signal.SIGTERM, signal.SIGINT):
                 signal.signal(number, lambda _number, _frame: self.stop())

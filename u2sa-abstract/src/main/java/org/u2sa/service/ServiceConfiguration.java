@@ -38,7 +38,8 @@ final class ServiceConfiguration {
     String repeated =
         execution.inheritance().map(Execution.Inheritance::serviceName).orElse(ownName);
     name = before.map(ServiceInstance::getServiceName).orElse(repeated);
-    Path directory = own.logPath().isEmpty() ? context.logDirectory() : Paths.get(own.logPath());
+    boolean isNamed = !own.logPath().isEmpty() && execution.writesNamedFiles();
+    Path directory = isNamed ? Paths.get(own.logPath()) : context.logDirectory();
     if (before.isPresent()) {
       log = before.get().logForSuccessor(clock);
     } else {

@@ -35,7 +35,7 @@ final class CommandTree {
         }
         found.add(providers.next());
       } catch (ServiceConfigurationError e) {
-        err.println("u2sa: some commands are missing: " + e.getMessage());
+        err.println("u2sa: some commands are missing: " + ProviderFault.explained(e));
       }
     }
   }

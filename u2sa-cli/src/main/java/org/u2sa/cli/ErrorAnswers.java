@@ -45,15 +45,17 @@ final class ErrorAnswers implements IParameterExceptionHandler, IExecutionExcept
   }
 
   int answer(Throwable thrown, PrintWriter err) {
+    Optional<String> provider = ProviderFault.causeOf(thrown);
     boolean badInput =
-        thrown instanceof BadInputException
+        provider.isPresent()
+            || thrown instanceof BadInputException
             || thrown instanceof McapException; // these messages name the file
     boolean told =
         badInput
             || thrown instanceof RunFailedException
             || thrown instanceof CommunicationException;
     if (told) {
-      err.println(PREFIX + thrown.getMessage());
+      err.println(PREFIX + provider.orElseGet(thrown::getMessage));
     } else {
       err.println(
           PREFIX

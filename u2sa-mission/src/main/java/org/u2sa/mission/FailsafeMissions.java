@@ -79,7 +79,7 @@ final class FailsafeMissions {
       files.forget(variable);
       return new Goals(Collections.emptyList(), Optional.empty());
     }
-    Mission mission = files.load(variable, path, run.thresholdM());
+    Mission mission = files.load(variable, run.thresholdM());
     logger.log(LogLevelEnum.INFO, variable + " " + mission.origin() + " loaded");
     return new Goals(
         mission.goals().stream()

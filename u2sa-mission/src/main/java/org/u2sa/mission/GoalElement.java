@@ -107,7 +107,7 @@ record GoalElement(
     List<String> names = new ArrayList<>();
     for (MessageField<?> field : type.fields()) {
       if (!NOT_IN_FILES.contains(field.name())) {
-        names.add(field.name());
+        names.add(type.elementName(field));
       }
     }
     names.addAll(GoalLinks.ELEMENTS);

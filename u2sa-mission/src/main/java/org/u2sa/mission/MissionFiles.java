@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.disk.LoadedFile;
 import org.u2sa.service.ServiceContext;
 
@@ -31,15 +32,23 @@ final class MissionFiles {
     this.context = context;
   }
 
-  /** Reads a mission file and monitors it from now on, instead of the variable's previous file. */
-  Mission load(String variable, String path, double thresholdM) {
+  /**
+   * Reads the mission file of a variable and monitors it from now on, instead of its previous file.
+   */
+  Mission load(String variable, double thresholdM) {
+    XmlConfiguration configuration = context.configuration();
     LoadedFile<Content> file =
         new LoadedFile<>(
-            context.configuration().resolve(path),
-            each -> new Content(read(variable, each, thresholdM), SavedMission.digest(each)),
+            configuration.resolve((String) configuration.getVariable(variable)),
+            each -> content(variable, each, thresholdM),
             context.clock());
     loaded.put(variable, file);
     return file.content().mission();
+  }
+
+  private Content content(String variable, Path file, double thresholdM) {
+    context.configuration().namedFile(variable); // an absent one is named with its variable
+    return new Content(read(variable, file, thresholdM), SavedMission.digest(file));
   }
 
   /** Digest of the file of MISSION as loaded: it may be edited while the mission runs. */

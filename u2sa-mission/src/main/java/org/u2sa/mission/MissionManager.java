@@ -131,7 +131,7 @@ public final class MissionManager extends PeriodicService {
   }
 
   private GoalSequence load() {
-    Mission mission = files.load(MissionVariables.MISSION, settings.get().mission(), thresholdM());
+    Mission mission = files.load(MissionVariables.MISSION, thresholdM());
     home = Optional.empty();
     return sequence(mission);
   }

@@ -38,14 +38,15 @@ class MissionErrorsTest {
           <waypoint><x>1</x><x>2</x></waypoint> | m.xml, line 2, <x>: appears twice; x is already in line 2
           <waypoint><x>181</x></waypoint> | m.xml, line 2, <x>: 181.0 is outside -180.0…180.0 deg of longitude
           <waypoint><x>50</x><y>-121</y></waypoint> | m.xml, line 2, <y>: -121.0 is outside -90.0…90.0 deg of latitude (x is longitude, y is latitude)
-          <waypoint><x>1</x><completed>true</completed></waypoint> | m.xml, line 2, <completed>: unknown element in <waypoint>; expected uid, next, description, timeLimit, choose, referenceFrame, x, y, z, phi, theta, psi, time, horizontalThreshold, verticalThreshold, speed, photoDistance, lookAt, landingStart, repeat, end
-          <waypoint><x>1</x><horizontalTreshold>3</horizontalTreshold></waypoint> | m.xml, line 2, <horizontalTreshold>: unknown element in <waypoint>; expected uid, next, description, timeLimit, choose, referenceFrame, x, y, z, phi, theta, psi, time, horizontalThreshold, verticalThreshold, speed, photoDistance, lookAt, landingStart, repeat, end; did you mean "horizontalThreshold"?
+          <waypoint><x>1</x><completed>true</completed></waypoint> | m.xml, line 2, <completed>: unknown element in <waypoint>; expected name, next, description, timeLimit, choose, reference, x, y, z, phi, theta, psi, time, horizontalThreshold, verticalThreshold, speed, photoDistance, lookAt, landingStart, repeat, end
+          <waypoint><x>1</x><horizontalTreshold>3</horizontalTreshold></waypoint> | m.xml, line 2, <horizontalTreshold>: unknown element in <waypoint>; expected name, next, description, timeLimit, choose, reference, x, y, z, phi, theta, psi, time, horizontalThreshold, verticalThreshold, speed, photoDistance, lookAt, landingStart, repeat, end; did you mean "horizontalThreshold"?
           <waypoint><x>1</x><horizontalThreshold>0</horizontalThreshold></waypoint> | m.xml, line 2, <horizontalThreshold>: 0.0 m can never be met; expected more than 0 m
           <waypoint><x>1</x><z>5</z><verticalThreshold>0</verticalThreshold></waypoint> | m.xml, line 2, <verticalThreshold>: 0.0 m can never be met; expected more than 0 m
           <waypoint><x>1</x><verticalThreshold>9</verticalThreshold></waypoint> | m.xml, line 2, <verticalThreshold>: has nothing to compare with: the goal has no <z>
           <waypoint><z>9</z></waypoint> | m.xml, line 2, <z>: is the only coordinate; expected a <verticalThreshold> as well
           <waypoint><x>1</x><speed>0</speed></waypoint> | m.xml, line 2, <speed>: 0.0 m/s never reaches the waypoint; expected more than 0 m/s
           <waypoint><x>1</x><reference>Body</reference></waypoint> | m.xml, line 2, <reference>: "BODY" moves with the vehicle; expected GLOBAL, LOCAL_ENU, LOCAL_NED or UTM
+          <waypoint><x>1</x><reference>ENU</reference></waypoint> | `m.xml, line 2, <reference>: Waypoint.referenceFrame: "ENU" is not a reference frame; expected GLOBAL, LOCAL_ENU, LOCAL_NED, BODY, BODY_FRD, BODY_FLU or UTM <zone><N|S>`
           <waypoint><x>1</x><reference>UTM 4N</reference></waypoint> | m.xml, line 2, <waypoint>: lacks x or y; UTM needs both
           <waypoint><x>1</x></waypoint><waypoint><x>1</x><reference>Local NED</reference></waypoint> | m.xml, line 2, <reference>: is in LOCAL_NED, but the waypoint in line 2 is in GLOBAL; expected all on the earth or all on a local plane
           <waypoint><x>1</x><next>2</next></waypoint> | m.xml, line 2, <next>: "2" names no goal; the goals are 1

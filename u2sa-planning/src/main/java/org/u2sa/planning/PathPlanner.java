@@ -414,6 +414,7 @@ public class PathPlanner extends EventDrivenService {
           named(chosen)
               + " begins"
               + reports.last().map(done -> ", from \"" + done.uid() + "\"").orElse(""));
+      states.substitution(chosen).ifPresent(this::trouble);
       judgeThreshold(chosen, state);
       planner.get().enter(pursuit);
       reports.forget();

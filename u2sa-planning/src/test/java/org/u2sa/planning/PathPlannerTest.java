@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.NavigationPoint;
@@ -13,7 +14,10 @@ import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.Schema;
 
 /** From a state to the point steered for: frames, ages, altitudes, and variables that change. */
 class PathPlannerTest extends PlannedVehicle {
@@ -220,5 +224,29 @@ class PathPlannerTest extends PlannedVehicle {
     kit.publish(
         Channels.CONFIGURATION,
         new ConfigurationChange().serviceName("PathPlanner").variableName(variable).value(value));
+  }
+
+  /** A class of an extension that brings no state for it. */
+  private static final class Probe extends Waypoint {
+    private static final MessageType<Probe> TYPE =
+        Schema.of("Probe", Probe.class, Probe::new, Waypoint.TYPE).build();
+
+    @Override
+    public MessageType<Probe> type() {
+      return TYPE;
+    }
+  }
+
+  @Test
+  void state_goalOfAClassWithoutAState_isPursuedAsItsAncestorAndThatIsTold() {
+    PathPlanner planner = kit.start(PathPlanner::new);
+    Probe probe = new Probe();
+    probe.uid("a").referenceFrame(ReferenceFrame.LOCAL_NED).horizontalThreshold(1.0).x(9.0).y(0.0);
+    kit.publish(Channels.GOALS, new GoalList().goals(List.of(probe)));
+    kit.publish(Channels.STATE, state(0, 0, 0));
+
+    assertThat(kit.published(Channels.NAVIGATION)).isNotEmpty();
+    assertThat(kit.log(planner.getServiceName()))
+        .anyMatch(line -> line.contains("goal \"a\": a Probe is pursued as a Waypoint"));
   }
 }

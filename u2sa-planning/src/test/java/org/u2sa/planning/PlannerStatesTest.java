@@ -39,6 +39,18 @@ class PlannerStatesTest {
     assertThat(new PlannerStates(List.of(waypoints)).forGoal(new Dance())).isEmpty();
   }
 
+  @Test
+  void substitution_onlyAnOwnStateOfAnAncestor_isToldOnce() {
+    PlannerStates states = new PlannerStates(List.of(any));
+
+    assertThat(states.substitution(new Dance().uid("a")).orElseThrow())
+        .startsWith("goal \"a\": a Dance is pursued as a GoalInformation; expected a PlannerState")
+        .endsWith("META-INF/services/org.u2sa.planning.PlannerStateProvider");
+    assertThat(states.substitution(new Dance().uid("b"))).isEmpty();
+    assertThat(new PlannerStates(List.of(waypoints)).substitution(new Waypoint())).isEmpty();
+    assertThat(new PlannerStates(List.of()).substitution(new Dance())).isEmpty();
+  }
+
   private record Fixed(Class<? extends GoalInformation> goalClass) implements PlannerState {
     @Override
     public void enter(Pursuit pursuit) {}

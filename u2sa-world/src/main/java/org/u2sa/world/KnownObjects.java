@@ -1,5 +1,6 @@
 package org.u2sa.world;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
@@ -52,7 +53,10 @@ final class KnownObjects {
   }
 
   private List<ObjectDescription> read() {
-    List<ObjectDescription> file = file(settings.get().world());
+    List<ObjectDescription> file =
+        settings.get().world().isEmpty()
+            ? List.of()
+            : objects(context.configuration().namedFile(WorldVariables.WORLD));
     return settings.get().worldMovers()
         ? file
         : file.stream().filter(object -> !moves(object)).collect(Collectors.toList());
@@ -64,9 +68,11 @@ final class KnownObjects {
    * @throws org.u2sa.interfaces.BadInputException naming file, line and element
    */
   List<ObjectDescription> file(String path) {
-    return path.isEmpty()
-        ? List.of()
-        : WorldFile.load(context.configuration().resolve(path), context.messageTypes()).objects();
+    return path.isEmpty() ? List.of() : objects(context.configuration().resolve(path));
+  }
+
+  private List<ObjectDescription> objects(Path file) {
+    return WorldFile.load(file, context.messageTypes()).objects();
   }
 
   private static boolean isAround(ObjectDescription object) {

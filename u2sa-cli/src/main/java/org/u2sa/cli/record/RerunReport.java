@@ -123,7 +123,8 @@ final class RerunReport {
     }
     return String.format(
         Locale.ROOT,
-        "%s: %d of %d messages are identical, not counting health reports; %.1f s executed in %.1f s, %.0f times as fast as recorded",
+        "%s: %d of %d messages are identical, not counting health reports; %.1f s executed in %.1f"
+            + " s, %.1f times as fast as recorded",
         isIdentical() ? "Identical" : "Not identical",
         same,
         recorded,

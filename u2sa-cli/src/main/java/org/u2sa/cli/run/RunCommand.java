@@ -154,6 +154,7 @@ public final class RunCommand extends BaseCommand {
     if (broker != null) {
       settings.addAll(settingsOfBroker());
     } else if (host == null && only.isEmpty()) {
+      refuseSecondRun(system);
       evadeTakenPort(system);
     }
     set(options, system);
@@ -220,7 +221,6 @@ public final class RunCommand extends BaseCommand {
     int port = manager.communicationManagerPort();
     OptionalInt free = TakenPort.replacement(manager.bindAddress(), port);
     if (free.isPresent()) {
-      refuseSecondRun(system);
       settings.add(MANAGER + ":" + ManagerVariables.PORT + "=" + free.getAsInt());
       print(
           String.format(
@@ -234,14 +234,15 @@ public final class RunCommand extends BaseCommand {
   }
 
   /** Rejects a second run of the same vehicle, because both would command its devices. */
-  private static void refuseSecondRun(SystemFile system) {
-    LocalSystems.ofAccount().running().stream()
-        .filter(each -> each.systemId().equals(system.systemId()))
+  private void refuseSecondRun(SystemFile system) {
+    LocalSystems.ofAccount().brokers(Optional.of(system.systemId()), this::print).stream()
         .findFirst()
         .ifPresent(
-            each -> {
+            at -> {
               throw new BadInputException(
-                  "system " + each + " is already running on this machine; end it first");
+                  String.format(
+                      "system %s at %s is already running on this machine; end it first",
+                      system.systemId(), at));
             });
   }
 

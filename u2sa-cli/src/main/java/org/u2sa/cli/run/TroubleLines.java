@@ -2,6 +2,7 @@ package org.u2sa.cli.run;
 
 import java.util.HashMap;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import org.u2sa.interfaces.OneLine;
@@ -33,6 +34,7 @@ public final class TroubleLines implements Receiver, AutoCloseable {
   private final Clock clock;
   private final Consumer<String> console;
   private final Map<String, Printed> printed = new HashMap<>(); // by service name; guarded by this
+  private final Map<String, String> latest = new TreeMap<>(); // likewise; of all services
   private final Connection connection;
 
   /**
@@ -53,17 +55,30 @@ public final class TroubleLines implements Receiver, AutoCloseable {
   @Override
   public void receive(Channel<?> channel, U2SAData message) {
     if (message instanceof HealthReport report
-        && report.lastError().filter(text -> !text.equals(LOST)).isPresent()
-        && services.test(report.serviceName())) {
-      print(report.serviceName(), report.lastError().get());
+        && report.lastError().filter(text -> !text.equals(LOST)).isPresent()) {
+      take(report.serviceName(), report.lastError().get());
     }
   }
 
-  private synchronized void print(String service, String text) {
+  private synchronized void take(String service, String text) {
+    if (latest.containsKey(service) || latest.size() < MAX_SERVICES) {
+      latest.put(service, text);
+    }
+    if (services.test(service)) {
+      print(service, text, APART_MICROS);
+    }
+  }
+
+  /** Prints the latest trouble of each service that was not printed when it was reported. */
+  public synchronized void printRest() {
+    latest.forEach((service, text) -> print(service, text, 0L));
+  }
+
+  private void print(String service, String text, long apartMicros) {
     long now = clock.micros();
     Printed last = printed.get(service);
     boolean isNews = last == null || !last.text().equals(text);
-    boolean isSoon = last != null && now - last.micros() < APART_MICROS;
+    boolean isSoon = last != null && now - last.micros() < apartMicros;
     if (isNews && !isSoon && (last != null || printed.size() < MAX_SERVICES)) {
       printed.put(service, new Printed(text, now));
       String cut = text.length() > MAX_TEXT ? text.substring(0, MAX_TEXT) + "…" : text;

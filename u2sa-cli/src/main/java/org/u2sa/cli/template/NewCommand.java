@@ -11,6 +11,7 @@ import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.command.ProgramVersion;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.messages.schema.MessageTypes;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
@@ -104,21 +105,33 @@ public final class NewCommand extends BaseCommand {
       } else if (kind == null || name == null) {
         throw wrong("expected KIND and NAME, such as: sensor depth-gauge");
       } else {
-        make(available, available.kind(chosen()), Naming.of(name));
+        make(available, available.kind(chosen(available)), Naming.of(name));
       }
     }
     return ExitCode.DONE;
   }
 
   /** The kind of template: {@code vehicle --kind boat} is {@code vehicle-boat}. */
-  private String chosen() {
+  private String chosen(Templates available) {
     if (vehicle == null) {
       return kind;
     }
     if (!kind.equals(VEHICLE)) {
       throw wrong("--kind " + vehicle + ": expected KIND " + VEHICLE);
     }
-    return VEHICLE + "-" + vehicle;
+    String prefix = VEHICLE + "-";
+    List<String> vehicles =
+        available.kinds().keySet().stream()
+            .filter(each -> each.startsWith(prefix))
+            .map(each -> each.substring(prefix.length()))
+            .toList();
+    if (!vehicles.contains(vehicle)) {
+      throw wrong(
+          String.format(
+              "--kind %s: expected one of %s%s",
+              vehicle, String.join(", ", vehicles), NearestNames.didYouMean(vehicle, vehicles)));
+    }
+    return prefix + vehicle;
   }
 
   private void list(Templates available) {

@@ -64,4 +64,19 @@ class TroubleLinesTest {
 
     assertThat(printed).singleElement().asString().doesNotContain("\n").hasSizeLessThan(400);
   }
+
+  @Test
+  void printRest_servicesThatAreNotPrintedAtOnce_haveTheirLatestLine() {
+    lines.close(); // its name is free again
+    List<String> some = new ArrayList<>();
+    try (TroubleLines few = new TroubleLines(bus, "PathPlanner"::equals, clock, some::add)) {
+      report("PathPlanner", "no plan");
+      report("StateEstimator", "state lacks z");
+      report("StateEstimator", "state lacks x, y");
+      assertThat(some).containsExactly("PathPlanner: no plan");
+
+      few.printRest();
+    }
+    assertThat(some).containsExactly("PathPlanner: no plan", "StateEstimator: state lacks x, y");
+  }
 }

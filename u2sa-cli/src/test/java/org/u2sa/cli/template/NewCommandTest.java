@@ -83,6 +83,14 @@ class NewCommandTest {
   }
 
   @Test
+  void make_unknownVehicle_namesTheVehicles() {
+    assertThatThrownBy(() -> made.make("vehicle", "x", "--kind", "boot"))
+        .isInstanceOf(ParameterException.class)
+        .hasMessage(
+            "--kind boot: expected one of boat, copter, plane, rover, submarine; did you mean \"boat\"?");
+  }
+
+  @Test
   void make_kindOrNameMissing_isRefused() {
     assertThatThrownBy(() -> made.make("sensor"))
         .isInstanceOf(ParameterException.class)

@@ -113,6 +113,11 @@ public final class ActuatorRoster {
         : 0.0;
   }
 
+  /** Whether an actuator has ever announced itself. */
+  public boolean knows(String actuator) {
+    return actuators.containsKey(actuator);
+  }
+
   /** Whether a pilot's radio or an emergency stop withholds commands from an actuator. */
   public boolean isWithheld(String actuator) {
     Known known = actuators.get(actuator);

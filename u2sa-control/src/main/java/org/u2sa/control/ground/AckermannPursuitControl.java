@@ -105,7 +105,7 @@ public final class AckermannPursuitControl extends GroundControl {
                 steering.get().wheelbase(),
                 measured)
             : OptionalDouble.empty();
-    pursuit.commanded(demand, drive(demand, alongPath), measured, stepS()).ifPresent(this::trouble);
+    pursuit.commanded(demand, drive(demand, alongPath), measured, stepS()).ifPresent(this::unmoved);
   }
 
   /**

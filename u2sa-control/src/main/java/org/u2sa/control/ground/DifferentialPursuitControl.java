@@ -93,7 +93,7 @@ public final class DifferentialPursuitControl extends GroundControl {
         .commanded(demand, drive(demand, state), measured, stepS())
         .ifPresent(
             words -> {
-              trouble(words);
+              unmoved(words);
               balance.relax();
             });
   }

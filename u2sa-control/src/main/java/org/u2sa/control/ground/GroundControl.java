@@ -153,6 +153,17 @@ abstract class GroundControl extends ControlSystem {
     }
   }
 
+  /** Reports that the vehicle does not move; motors that nobody announced explain it. */
+  void unmoved(String warning) {
+    List<String> unknown =
+        motors().stream().filter(motor -> !roster.knows(motor)).collect(Collectors.toList());
+    trouble(
+        unknown.isEmpty()
+            ? warning
+            : "the vehicle does not move, and no service has announced "
+                + String.join(", ", unknown));
+  }
+
   private boolean isPowerless() {
     long now = clock().micros();
     List<String> lost =

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.communication.NameTakenException;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.contract.ServiceAction;
 import org.u2sa.messages.contract.ServiceOrder;
@@ -64,9 +65,27 @@ final class HostedServices implements ServiceHost {
     for (SystemFile.Entry entry : entries) {
       XmlConfiguration configuration = maker.configuration(entry);
       configurations.add(configuration);
-      add(new Hosted(entry, entry.className(), configuration, maker.make(entry, configuration)));
+      add(new Hosted(entry, entry.className(), configuration, made(entry, configuration)));
     }
     configurations.forEach(XmlConfiguration::refuseUndeclared);
+  }
+
+  private U2SAService made(SystemFile.Entry entry, XmlConfiguration configuration) {
+    try {
+      return maker.make(entry, configuration);
+    } catch (NameTakenException e) {
+      String other =
+          present(e.name())
+              .map(hosted -> "the service in line " + hosted.entry().element().line())
+              .orElse("a service of the run");
+      throw entry
+          .element()
+          .error(
+              String.format(
+                  "service name \"%s\" is taken by %s; expected another SERVICE NAME in its"
+                      + " configuration",
+                  e.name(), other));
+    }
   }
 
   private synchronized void add(Hosted hosted) {

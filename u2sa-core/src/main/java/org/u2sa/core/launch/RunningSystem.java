@@ -86,6 +86,10 @@ public final class RunningSystem implements AutoCloseable {
     options.companions.forEach(companion -> companions.add(maker.make(companion)));
     hosted = new HostedServices(maker, options.supervised, options.console);
     hosted.makeAll(file.services());
+    if (!options.oneOfSeveral && !manager.isExternal()) { // otherwise others may fill the gaps
+      ChannelGaps.of(hosted.services())
+          .forEach(gap -> options.console.accept(file.file() + ": " + gap));
+    }
     if (!file.services().isEmpty()) {
       launcher = makeLauncher();
     }

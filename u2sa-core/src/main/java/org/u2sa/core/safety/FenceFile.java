@@ -32,7 +32,8 @@ final class FenceFile {
         path.isEmpty()
             ? Optional.empty()
             : Optional.of(
-                new LoadedFile<>(configuration.resolve(path), each -> read(each, marginM), clock));
+                new LoadedFile<>(
+                    configuration.resolve(path), each -> readNamed(each, marginM), clock));
     return loaded.map(LoadedFile::content);
   }
 
@@ -49,6 +50,11 @@ final class FenceFile {
   /** Stops watching the file, because another fence is in force. */
   void forget() {
     loaded = Optional.empty();
+  }
+
+  private GivenFence readNamed(Path file, double marginM) {
+    configuration.namedFile(SafetyVariables.FENCE); // an absent one is named with its variable
+    return read(file, marginM);
   }
 
   private static GivenFence read(Path file, double marginM) {

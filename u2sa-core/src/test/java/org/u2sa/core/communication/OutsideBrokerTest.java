@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
+import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.safety.ArmCommand;
 import org.u2sa.messages.safety.EmergencyStop;
@@ -116,6 +117,24 @@ class OutsideBrokerTest {
       outside.publish("u2sa/cessna/stop/StopCommand", STOP, false); // now it is an order
       soon().until(() -> inbox.messages.size() > 1);
       assertThat(inbox.messages.get(1)).isInstanceOf(StopCommand.class);
+      service.close();
+    }
+  }
+
+  @Test
+  void arrived_retainedOnAChannelKnownByNameOnly_isReceivedUnlessItIsACommand() throws Exception {
+    StateInformation alarm = frozen(new StateInformation().sensorName("leak"));
+    try (RetainingBroker outside =
+        new RetainingBroker()
+            .holding("u2sa/cessna/leak-alarms/StateInformation", alarm.serialize())
+            .holding("u2sa/cessna/leak-orders/StopCommand", STOP)) {
+      Connection service = TestManager.transport(outside.start()).connect("Service", inbox);
+      service.subscribe(Channels.namedOrNew("leak-alarms"));
+      service.subscribe(Channels.namedOrNew("leak-orders"));
+
+      soon().until(() -> !inbox.messages.isEmpty());
+      inbox.awaitTrouble("leak-orders");
+      assertThat(inbox.messages).containsExactly(alarm);
       service.close();
     }
   }

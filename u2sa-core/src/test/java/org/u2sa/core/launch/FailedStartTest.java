@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.core.communication.CommunicationManager;
+import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.registry.StandardTypes;
 import org.u2sa.messages.schema.U2SAData;
@@ -68,6 +69,38 @@ class FailedStartTest {
           .atMost(Duration.ofSeconds(60))
           .untilAsserted(() -> assertThat(clientThreads()).isEmpty());
     }
+  }
+
+  /** A service of the default name that its class gives. */
+  public static final class Twin extends EventDrivenService {
+    public Twin(ServiceContext context) {
+      super(context, ServiceRole.OBSERVER, "Twin");
+    }
+
+    @Override
+    public void callback(U2SAData data) {
+      unexpected(data);
+    }
+  }
+
+  @Test
+  void start_nameTakenByAnotherEntry_isRefusedNamingBothLines() throws IOException {
+    String entry = "  <service class=\"" + Twin.class.getName() + "\"/>\n";
+    Path written =
+        Files.writeString(
+            directory.resolve("system.xml"),
+            "<system id=\"test\">\n" + entry + entry + "</system>");
+    LaunchOptions options =
+        new LaunchOptions()
+            .logDirectory(directory.resolve("logs"))
+            .override("CommunicationManager", "BROKER", "none");
+
+    assertThatThrownBy(() -> RunningSystem.start(SystemFile.read(written), options))
+        .isInstanceOf(BadInputException.class)
+        .hasMessage(
+            written
+                + ", line 3, <service>: service name \"Twin\" is taken by the service in line 2;"
+                + " expected another SERVICE NAME in its configuration");
   }
 
   private static List<String> clientThreads() {

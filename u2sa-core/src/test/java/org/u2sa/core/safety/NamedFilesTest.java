@@ -76,13 +76,13 @@ class NamedFilesTest extends WatchedVehicle {
         .hasMessageContaining("\"FENCE\"")
         .hasMessageContaining("none.xml");
 
-    for (String variable : List.of("RETURN MISSION", "LAND MISSION")) {
+    for (String variable : List.of("MISSION", "RETURN MISSION", "LAND MISSION")) {
       kit.withoutVariables().with("MISSION", landing.toString()).with("DEFAULT THRESHOLD", 1.0);
       kit.with(variable, folder.resolve("none.xml").toString());
       ServiceContext context = kit.context();
       assertThatThrownBy(() -> new MissionManager(context))
           .isInstanceOf(BadInputException.class)
-          .hasMessageContaining("\"" + variable + "\"")
+          .hasMessageContaining("variable \"" + variable + "\": ")
           .hasMessageContaining("none.xml");
       context.abandon();
     }

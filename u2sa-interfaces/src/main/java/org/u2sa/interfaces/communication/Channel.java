@@ -34,6 +34,7 @@ public final class Channel<T extends U2SAData> {
   private enum Trait {
     EVERY,
     RETAINED,
+    UNDECLARED,
     BY_SOURCE, // only if retained
     URGENT,
     RESERVED
@@ -123,6 +124,14 @@ public final class Channel<T extends U2SAData> {
   }
 
   /**
+   * Channel known by its name only, for readers of a channel that others declare: it carries any
+   * data, every message matters, and messages that its publisher retained are accepted.
+   */
+  static Channel<U2SAData> undeclared(String name) {
+    return Channel.every(name, U2SAData.TYPE).with(Trait.UNDECLARED);
+  }
+
+  /**
    * {@link #retained()} per source: the broker retains the last message of each, under a topic that
    * ends with its name.
    */
@@ -156,6 +165,11 @@ public final class Channel<T extends U2SAData> {
   /** Whether late subscribers receive the last message of each source. */
   public boolean isRetained() {
     return retained;
+  }
+
+  /** Whether a message published before the subscription is accepted. */
+  public boolean acceptsRetained() {
+    return retained || traits.contains(Trait.UNDECLARED);
   }
 
   /** Whether its messages have reserved inbox space. */

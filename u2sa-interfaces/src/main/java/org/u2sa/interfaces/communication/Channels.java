@@ -286,9 +286,9 @@ public final class Channels {
     return Optional.ofNullable(BY_NAME.get(name));
   }
 
-  /** Standard channel by name, or else a channel on which every message matters. */
+  /** Standard channel by name, or else {@link Channel#undeclared}. */
   public static Channel<? extends U2SAData> namedOrNew(String name) {
     Optional<Channel<?>> standard = named(name);
-    return standard.isPresent() ? standard.get() : Channel.every(name, U2SAData.TYPE);
+    return standard.isPresent() ? standard.get() : Channel.undeclared(name);
   }
 }

@@ -108,7 +108,8 @@ public final class LocalBus implements Transport {
   @Override
   public Connection connect(String serviceName, Receiver receiver) {
     if (!names.add(serviceName)) {
-      throw new CommunicationException(
+      throw new NameTakenException(
+          serviceName,
           String.format(
               "service name \"%s\" is taken in system \"%s\": service names must be unique",
               serviceName, systemId));

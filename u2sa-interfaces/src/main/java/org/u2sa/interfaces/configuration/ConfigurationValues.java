@@ -89,6 +89,13 @@ final class ConfigurationValues {
     return Optional.ofNullable(stated.get(name));
   }
 
+  ConfigurationException error(String name, String what) {
+    return stated(name)
+        .map(statement -> statement.error(what))
+        .orElseGet(
+            () -> new ConfigurationException(origin + ", variable \"" + name + "\": " + what));
+  }
+
   <T> T declare(VariableDeclaration<T> variable) {
     String name = variable.name();
     if (declared.get(name) != variable) {

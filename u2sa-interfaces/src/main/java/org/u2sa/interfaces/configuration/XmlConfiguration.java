@@ -31,6 +31,8 @@ import org.u2sa.messages.contract.ConfigurationVariable;
  */
 public final class XmlConfiguration implements Configurator {
   private final Optional<Path> file;
+  private final Optional<Path> copy; // changed instead of the file; may not exist yet
+  private final Map<String, Path> relocated = new LinkedHashMap<>(); // set before it is shared
   private final LiveValues values;
   private final ConfigurationChanges changes;
 
@@ -41,6 +43,7 @@ public final class XmlConfiguration implements Configurator {
       Map<String, FileVariable> stated,
       Optional<ConfigurationFile> content) {
     this.file = file;
+    this.copy = copy;
     values = new LiveValues(new ConfigurationValues(origin, file.isPresent(), stated));
     changes = new ConfigurationChanges(values, file, copy);
     changes.begin(content);
@@ -48,6 +51,8 @@ public final class XmlConfiguration implements Configurator {
 
   private XmlConfiguration(XmlConfiguration predecessor) {
     file = predecessor.file;
+    copy = predecessor.copy;
+    relocated.putAll(predecessor.relocated);
     values = predecessor.values.forSuccessor();
     changes = predecessor.changes.forSuccessor(values);
   }
@@ -105,9 +110,19 @@ public final class XmlConfiguration implements Configurator {
     return values.get(ConfigurationValues::overrides);
   }
 
+  /** Makes {@link #resolve} return another file for a path, before the first service uses it. */
+  public void relocate(String path, Path to) {
+    relocated.put(path, to);
+  }
+
   /** The file; empty for a configuration in memory. */
   public Optional<Path> file() {
     return file;
+  }
+
+  /** Copy that changes go to instead of the file; it exists after the first change. */
+  public Optional<Path> copy() {
+    return copy;
   }
 
   /** Copy for a successor service of another class, which need not declare the same variables. */
@@ -134,7 +149,25 @@ public final class XmlConfiguration implements Configurator {
    * Resolves a path relative to the configuration file, or to the working directory without a file.
    */
   public Path resolve(String path) {
+    if (relocated.containsKey(path)) {
+      return relocated.get(path);
+    }
     return file.map(own -> own.resolveSibling(path).normalize()).orElseGet(() -> Paths.get(path));
+  }
+
+  /**
+   * File that a text variable names, see {@link #resolve}.
+   *
+   * @throws ConfigurationException if there is no such file; names the variable's file and line
+   */
+  public Path namedFile(String variableName) {
+    String value = (String) getVariable(variableName);
+    Path named = resolve(value);
+    if (!Files.exists(named)) {
+      String what = String.format("\"%s\": there is no file %s", value, named);
+      throw values.get(all -> all.error(variableName, what));
+    }
+    return named;
   }
 
   /** The file, or the name of a configuration without a file. */

@@ -203,10 +203,10 @@ final class MqttConnection implements Connection, MqttSession.Owner {
       return;
     }
     Channel<?> channel = subscriptions.named(topic.channel());
-    if ((channel == null || channel.isRetained()) && !retained.isNews(topicName, payload)) {
+    if ((channel == null || channel.acceptsRetained()) && !retained.isNews(topicName, payload)) {
       return; // already received before the link broke
     }
-    if (channel != null && isOld && !channel.isRetained()) {
+    if (channel != null && isOld && !channel.acceptsRetained()) {
       // A retained command is ignored: it would be executed at every start.
       incoming.refuse("a retained message on " + topic + ": \"" + channel + "\" retains nothing");
     } else if (channel != null) { // otherwise it arrived during an unsubscribe

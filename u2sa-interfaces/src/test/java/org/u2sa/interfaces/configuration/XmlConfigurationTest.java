@@ -1,6 +1,7 @@
 package org.u2sa.interfaces.configuration;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -116,5 +117,22 @@ class XmlConfigurationTest {
     assertThat(XmlConfiguration.load(file).resolve("/a.xml")).isEqualTo(Path.of("/a.xml"));
     assertThat(XmlConfiguration.inMemory("none", Map.of()).resolve("a.xml"))
         .isEqualTo(Path.of("a.xml"));
+  }
+
+  @Test
+  void namedFile_absent_isRefusedNamingFileLineVariableAndValue() throws IOException {
+    Path file =
+        file(
+            "<configuration>\n"
+                + "<variable name='MISSION' type='string' value='Mission.xml'/></configuration>");
+    XmlConfiguration configuration = XmlConfiguration.load(file);
+    Path mission = folder.resolve("Mission.xml");
+
+    assertThatThrownBy(() -> configuration.namedFile("MISSION"))
+        .isInstanceOf(ConfigurationException.class)
+        .hasMessage(
+            file + ", line 2, variable \"MISSION\": \"Mission.xml\": there is no file " + mission);
+    Files.writeString(mission, "<mission/>");
+    assertThat(configuration.namedFile("MISSION")).isEqualTo(mission);
   }
 }

@@ -89,24 +89,35 @@ final class CborMessageReader extends CborReader {
       return;
     }
     if (type.latitudeField != null) {
-      requireLatitude(type.latitudeField.in(message.storage));
+      requireLatitude(
+          type, Kind.DOUBLE, type.latitudeField.slot, type.latitudeField.in(message.storage));
     }
     for (int slot : type.points) {
       if (message.storage.value(slot) instanceof Point point) {
-        requireLatitude(point.y());
+        requireLatitude(type, Kind.POINT, slot, point.y());
       }
     }
     for (int slot : type.pointLists) {
       for (Object point : message.storage.list(slot)) {
-        requireLatitude(((Point) point).y());
+        requireLatitude(type, Kind.POINT_LIST, slot, ((Point) point).y());
       }
     }
   }
 
-  private void requireLatitude(double degrees) throws MalformedMessageException {
+  private void requireLatitude(MessageType<?> type, Kind kind, int slot, double degrees)
+      throws MalformedMessageException {
     if (Math.abs(degrees) > FULL_LATITUDE_DEG) { // false for NaN, which means absent
-      throw malformed("the latitude " + degrees + " deg is outside -90…90 deg");
+      throw malformed(
+          nameOf(type, kind, slot) + ": the latitude " + degrees + " deg is outside -90…90 deg");
     }
+  }
+
+  private static String nameOf(MessageType<?> type, Kind kind, int slot) {
+    return type.fields().stream()
+        .filter(field -> field.kind() == kind && field.slot == slot)
+        .map(MessageField::name)
+        .findFirst()
+        .orElseThrow();
   }
 
   /** A map that starts with its type chain. */

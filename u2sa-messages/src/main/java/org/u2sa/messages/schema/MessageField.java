@@ -147,7 +147,9 @@ public abstract class MessageField<T extends StoredMessage> {
   }
 
   final IllegalArgumentException refused(Object value, String what) {
-    return new IllegalArgumentException(path() + ": " + what + ", not \"" + brief(value) + "\"");
+    String quoted = "\"" + brief(value) + "\"";
+    return new IllegalArgumentException(
+        path() + ": " + what + (what.startsWith(quoted) ? "" : ", not " + quoted));
   }
 
   private static String brief(Object value) {

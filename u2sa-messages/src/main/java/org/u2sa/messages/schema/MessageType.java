@@ -131,6 +131,15 @@ public final class MessageType<T extends U2SAData> {
     return exact.isPresent() || !aliases.containsKey(name) ? exact : field(aliases.get(name));
   }
 
+  /** XML name of a field as in examples: its alias, if it has one. */
+  public String elementName(MessageField<?> field) {
+    return aliases.entrySet().stream()
+        .filter(alias -> alias.getValue().equals(field.name()))
+        .map(Map.Entry::getKey)
+        .findFirst()
+        .orElse(field.name());
+  }
+
   /** For a field with a list of messages, their type or its nearest common ancestor. */
   public Optional<MessageType<?>> elementType(MessageField<?> field) {
     return Optional.ofNullable(elements.get(field));

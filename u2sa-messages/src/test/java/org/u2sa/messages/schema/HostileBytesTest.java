@@ -141,7 +141,7 @@ class HostileBytesTest {
 
     assertThatThrownBy(() -> codec.decode(message.type().chain(), bytes))
         .isInstanceOf(MalformedMessageException.class)
-        .hasMessageContaining("the latitude 91.0 deg is outside -90…90 deg");
+        .hasMessageContaining(": the latitude 91.0 deg is outside -90…90 deg");
   }
 
   @Test

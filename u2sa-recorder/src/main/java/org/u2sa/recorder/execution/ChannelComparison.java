@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.UnaryOperator;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
@@ -15,6 +16,7 @@ import org.u2sa.recorder.mcap.record.McapException;
 /** Compares a service's output on one channel between the recording and the re-execution. */
 public final class ChannelComparison {
   private final Channel<?> channel;
+  private final UnaryOperator<String> asRecorded;
   private long recorded;
   private long now;
   private long same;
@@ -29,8 +31,9 @@ public final class ChannelComparison {
    */
   public record Difference(long micros, FieldDifference field) {}
 
-  ChannelComparison(Channel<?> channel) {
+  ChannelComparison(Channel<?> channel, UnaryOperator<String> asRecorded) {
     this.channel = channel;
+    this.asRecorded = asRecorded;
   }
 
   void add(long micros, RecordedMessage before, U2SAData after) throws McapException {
@@ -42,24 +45,26 @@ public final class ChannelComparison {
       return;
     }
     U2SAData decoded = before == null ? null : before.decoded();
-    differs(micros, difference(decoded, after));
+    Optional<FieldDifference> difference = difference(decoded, after);
+    if (difference.isEmpty()) {
+      same++;
+    } else if (first == null) {
+      first = new Difference(micros, difference.get());
+    }
     compare(micros, decoded, after);
   }
 
-  private static FieldDifference difference(U2SAData before, U2SAData after) {
+  /** The difference of messages with other bytes; empty if only temporary paths differ. */
+  private Optional<FieldDifference> difference(U2SAData before, U2SAData after) {
     if (before == null) {
-      return new FieldDifference("", "no message", after.type().name());
+      return Optional.of(new FieldDifference("", "no message", after.type().name()));
     }
-    return after == null
-        ? new FieldDifference("", before.type().name(), "no message")
-        : FieldDifference.between(before, after)
-            .orElse(new FieldDifference("(encoding)", "other bytes", "other bytes"));
-  }
-
-  private void differs(long micros, FieldDifference field) {
-    if (first == null) {
-      first = new Difference(micros, field);
+    if (after == null) {
+      return Optional.of(new FieldDifference("", before.type().name(), "no message"));
     }
+    return FieldDifference.between(before, after, UnaryOperator.identity()).isEmpty()
+        ? Optional.of(new FieldDifference("(encoding)", "other bytes", "other bytes"))
+        : FieldDifference.between(before, after, asRecorded);
   }
 
   /** Compares the numbers that differ in these messages or differed earlier. */

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.xml.XmlElement;
@@ -41,6 +42,7 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
   static final String FIRST_STEP = "first step";
   static final String TOLERATED = "tolerated";
   static final String OVERRIDE = "override ";
+  static final String COPY = "changed copy";
   static final String CLASS = "class";
   static final String CONFIGURATION_NAME = "configuration";
   static final String SERVICE = "service";
@@ -76,8 +78,10 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
     if (!configuration.tolerated().isEmpty()) {
       texts.put(TOLERATED, String.join("\t", configuration.tolerated()));
     }
-    if (configuration.file().isPresent()) {
-      files.put(CONFIGURATION, Files.readAllBytes(configuration.file().get()));
+    configuration.copy().ifPresent(copy -> texts.put(COPY, copy.toString()));
+    Optional<Path> read = configuration.copy().filter(Files::exists).or(configuration::file);
+    if (read.isPresent()) {
+      files.put(CONFIGURATION, Files.readAllBytes(read.get()));
     }
     files.putAll(state(context.logDirectory()));
     return new ExecutionStart(texts, files);

@@ -3,6 +3,7 @@ package org.u2sa.recorder.execution;
 import java.nio.ByteBuffer;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import org.u2sa.messages.cbor.ByteString;
 import org.u2sa.messages.schema.FieldValue;
 import org.u2sa.messages.schema.U2SAData;
@@ -15,12 +16,18 @@ import org.u2sa.messages.schema.U2SAData;
  * @param now value from the re-execution
  */
 public record FieldDifference(String field, String recorded, String now) {
-  /** First difference in field order, or empty. */
-  static Optional<FieldDifference> between(U2SAData recorded, U2SAData now) {
-    return between("", recorded, now);
+  /**
+   * First difference in field order, or empty.
+   *
+   * @param asRecorded replaces what differs by design in a text of the re-execution
+   */
+  static Optional<FieldDifference> between(
+      U2SAData recorded, U2SAData now, UnaryOperator<String> asRecorded) {
+    return between("", recorded, now, asRecorded);
   }
 
-  private static Optional<FieldDifference> between(String path, U2SAData a, U2SAData b) {
+  private static Optional<FieldDifference> between(
+      String path, U2SAData a, U2SAData b, UnaryOperator<String> asRecorded) {
     if (!a.typeChain().equals(b.typeChain())) {
       return Optional.of(new FieldDifference(path + "type", a.type().name(), b.type().name()));
     }
@@ -30,7 +37,7 @@ public record FieldDifference(String field, String recorded, String now) {
       String name = path + (i < ofA.size() ? ofA.get(i) : ofB.get(i)).name();
       Object valueOfA = i < ofA.size() ? ofA.get(i).value().orElse("") : "";
       Object valueOfB = i < ofB.size() ? ofB.get(i).value().orElse("") : "";
-      Optional<FieldDifference> found = between(name, valueOfA, valueOfB);
+      Optional<FieldDifference> found = between(name, valueOfA, valueOfB, asRecorded);
       if (found.isPresent()) {
         return found;
       }
@@ -38,22 +45,26 @@ public record FieldDifference(String field, String recorded, String now) {
     return Optional.empty();
   }
 
-  private static Optional<FieldDifference> between(String path, Object a, Object b) {
-    if (a.equals(b)) {
+  private static Optional<FieldDifference> between(
+      String path, Object a, Object b, UnaryOperator<String> asRecorded) {
+    if (a.equals(b) || b instanceof String text && a.equals(asRecorded.apply(text))) {
       return Optional.empty();
     }
     if (a instanceof U2SAData one && b instanceof U2SAData other) {
-      return between(path + ".", one, other);
+      return between(path + ".", one, other, asRecorded);
     }
     if (a instanceof List<?> ofA && b instanceof List<?> ofB) {
       for (int i = 0; i < Math.min(ofA.size(), ofB.size()); i++) {
-        Optional<FieldDifference> found = between(path + "[" + i + "]", ofA.get(i), ofB.get(i));
+        Optional<FieldDifference> found =
+            between(path + "[" + i + "]", ofA.get(i), ofB.get(i), asRecorded);
         if (found.isPresent()) {
           return found;
         }
       }
-      return Optional.of(
-          new FieldDifference(path, ofA.size() + " elements", ofB.size() + " elements"));
+      return ofA.size() == ofB.size()
+          ? Optional.empty()
+          : Optional.of(
+              new FieldDifference(path, ofA.size() + " elements", ofB.size() + " elements"));
     }
     if (a instanceof ByteString one && b instanceof ByteString other) {
       return Optional.of(betweenBytes(path, one, other));

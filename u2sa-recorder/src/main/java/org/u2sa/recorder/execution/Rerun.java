@@ -83,8 +83,8 @@ public final class Rerun {
       Function<ServiceContext, U2SAService> maker, Path folder, ExecutionReader recorded)
       throws IOException, InterruptedException {
     Clock machine = new SystemClock();
-    OutputComparison outputs = new OutputComparison();
     RestoredInputs made = new RestoredInputs(start, folder);
+    OutputComparison outputs = new OutputComparison(made::asRecorded);
     RepeatedExecution repeated =
         new RepeatedExecution(
             recorded, outputs, machine, start.threadId(), made.inheritance(types));

@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -32,10 +33,10 @@ final class RestoredInputs {
   private static final String DEPTH = "1/2/3/4/5/6";
 
   private static final Set<String> NO_NAMES = Set.of("", ".", "..");
-  private static final String LOG_PATH = "LOG PATH";
 
   private final ExecutionStart start;
   private final Path folder;
+  private final Map<String, String> recordedPaths = new LinkedHashMap<>(); // by path in the folder
 
   RestoredInputs(ExecutionStart start, Path folder) {
     this.start = start;
@@ -82,6 +83,15 @@ final class RestoredInputs {
                 : OptionalLong.of(start.number(ExecutionStart.FIRST_STEP))));
   }
 
+  /** Text with the paths of the recorded run in place of those of its files in the folder. */
+  String asRecorded(String text) {
+    String result = text;
+    for (Map.Entry<String, String> path : recordedPaths.entrySet()) {
+      result = result.replace(path.getKey(), path.getValue());
+    }
+    return result;
+  }
+
   private String instance() {
     return start.text(ExecutionStart.INSTANCE);
   }
@@ -107,7 +117,15 @@ final class RestoredInputs {
     } else {
       Path file = Files.createDirectories(folder.resolve(DEPTH)).resolve(lastName(origin));
       Files.write(file, content);
-      configuration = XmlConfiguration.load(file);
+      recordedPaths.put(file.toString(), origin);
+      String changed = start.text(ExecutionStart.COPY);
+      if (changed.isEmpty()) {
+        configuration = XmlConfiguration.load(file);
+      } else {
+        Path copy = Files.createDirectories(folder.resolve("changed")).resolve(lastName(origin));
+        recordedPaths.put(copy.toString(), changed);
+        configuration = XmlConfiguration.load(file, copy);
+      }
     }
     for (Map.Entry<String, String> text : start.texts().entrySet()) {
       if (text.getKey().startsWith(ExecutionStart.OVERRIDE)) {
@@ -117,7 +135,6 @@ final class RestoredInputs {
       }
     }
     String tolerated = start.text(ExecutionStart.TOLERATED);
-    configuration.override(LOG_PATH, ""); // logs must go into the folder
     configuration.tolerate(tolerated.isEmpty() ? List.of() : List.of(tolerated.split("\t")));
     for (Map.Entry<String, byte[]> file : start.files().entrySet()) {
       if (file.getKey().startsWith(ExecutionStart.OF_VARIABLE)) {
@@ -128,8 +145,8 @@ final class RestoredInputs {
   }
 
   /**
-   * Writes a file to the path its variable gives if inside the folder; otherwise changes the
-   * variable.
+   * Writes a file to the path its variable gives if inside the folder; otherwise elsewhere in the
+   * folder. The variable keeps its value, because the service may publish it.
    */
   private void layOut(XmlConfiguration configuration, String key, byte[] content)
       throws IOException {
@@ -138,10 +155,16 @@ final class RestoredInputs {
     if (configuration.file().isEmpty() || !meant.startsWith(folder)) {
       String name = key.substring(ExecutionStart.OF_VARIABLE.length());
       meant = folder.resolve("files").resolve(lastName(name)).resolve(lastName(value));
-      configuration.override(name, meant.toString());
+      configuration.relocate(value, meant);
     }
     Files.createDirectories(meant.getParent());
     Files.write(meant, content);
+    Path origin = Paths.get(start.text(ExecutionStart.CONFIGURATION_NAME));
+    Path recorded =
+        configuration.file().isPresent()
+            ? origin.resolveSibling(value).normalize()
+            : Paths.get(value);
+    recordedPaths.put(meant.toString(), recorded.toString());
   }
 
   /** A transport without peers; the execution handles all messages. */

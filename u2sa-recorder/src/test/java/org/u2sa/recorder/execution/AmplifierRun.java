@@ -23,6 +23,7 @@ import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.ConfigurationChange;
+import org.u2sa.messages.contract.ConfigurationRequest;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.recorder.Recorder;
 import org.u2sa.service.PeriodicService;
@@ -41,6 +42,7 @@ final class AmplifierRun {
 
   final Map<String, Object> recorderValues = new HashMap<>();
   String moreVariables = ""; // in the configuration file
+  boolean asked; // for the service's configuration
   List<Path> files; // of the recording
 
   private final LocalBus bus = new LocalBus("rover");
@@ -137,7 +139,7 @@ final class AmplifierRun {
         "<configuration><variable name=\"GAIN\" type=\"double\" value=\"1.5\"/>"
             + moreVariables
             + "</configuration>");
-    XmlConfiguration configuration = XmlConfiguration.load(file);
+    XmlConfiguration configuration = XmlConfiguration.load(file, folder.resolve("changed.xml"));
     U2SAService service = make(maker, context(configuration).build());
     last = service;
     service.start();
@@ -153,6 +155,13 @@ final class AmplifierRun {
               Channels.CONFIGURATION,
               new ConfigurationChange().serviceName("Amplifier").variableName("GAIN").value("2.5"),
               i);
+        }
+        if (asked && i % 10 == 0) {
+          U2SAData request = new ConfigurationRequest().serviceName("Amplifier");
+          publish(publisher, Channels.CONFIGURATION, request, i);
+          U2SAData refused =
+              new ConfigurationChange().serviceName("Amplifier").variableName("GAIN").value("99");
+          publish(publisher, Channels.CONFIGURATION, refused, i);
         }
         if (i == SWAP_AT) {
           swap = orderSwap(service, configuration);

@@ -3,13 +3,17 @@ package org.u2sa.recorder.execution;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.u2sa.recorder.execution.AmplifierRun.state;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.recorder.execution.AmplifierRun.Amplifier;
 import org.u2sa.service.ServiceContext;
@@ -83,7 +87,7 @@ class RerunTest {
             });
     assertThat(seen.get(0)).isEqualTo(1.5);
     assertThat(seen.get(seen.size() - 1)).isEqualTo(2.5);
-    assertThat(folder.resolve("Amplifier.xml")).content().contains("2.5"); // the recorded run's
+    assertThat(folder.resolve("changed.xml")).content().contains("2.5"); // the recorded run's
   }
 
   /** Publishes the number of its thread, as some do to tell their orders from those of others. */
@@ -164,5 +168,45 @@ class RerunTest {
     assertThat(outcome.remarks()).isEmpty();
     assertThat(outcome.isIdentical()).isTrue();
     assertThat(state(outcome).recorded()).isEqualTo(9);
+  }
+
+  /** Publishes the path of a file that its configuration names. */
+  private static final class Located extends Amplifier {
+    private final Path map;
+
+    Located(ServiceContext context) {
+      super(context);
+      VariableDeclaration<String> file = VariableDeclaration.text("MAP");
+      map = context.configuration().resolve(getVariable(file));
+    }
+
+    @Override
+    protected void step(double nowS) {
+      super.step(nowS);
+      publish(Channels.STATE, new StateInformation().sensorName(map.toString()));
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"map.xml", "../maps/map.xml", "absolute"})
+  void rerun_configurationAskedForAndFileOfItPublished_isIdentical(String value) throws Exception {
+    Path maps = Files.createDirectories(folder.resolve("maps"));
+    Path own = Files.createDirectories(folder.resolve("own"));
+    for (Path each : List.of(maps, own)) {
+      Files.writeString(each.resolve("map.xml"), "<map/>");
+    }
+    String path = value.equals("absolute") ? maps.resolve("map.xml").toString() : value;
+    run = new AmplifierRun(own);
+    run.moreVariables = "<variable name=\"MAP\" type=\"string\" value=\"" + path + "\"/>";
+    run.asked = true;
+    run.recordInLockstep(Located::new);
+    Rerun.Outcome outcome = run.rerun(Located::new);
+    assertThat(outcome.channels())
+        .allSatisfy(each -> assertThat(each.first()).as(each.name()).isEmpty());
+    assertThat(outcome.channels())
+        .filteredOn(each -> each.name().equals("configuration"))
+        .hasSize(1)
+        .allMatch(each -> each.recorded() >= 20 && each.same() == each.recorded());
+    assertThat(outcome.isIdentical()).isTrue();
   }
 }

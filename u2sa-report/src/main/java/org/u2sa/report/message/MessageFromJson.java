@@ -8,8 +8,10 @@ import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.units.NumberWithUnit;
 import org.u2sa.interfaces.xml.NearestNames;
+import org.u2sa.messages.cbor.MalformedMessageException;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.schema.Kind;
+import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.MessageField;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.MessageTypes;
@@ -30,18 +32,27 @@ public final class MessageFromJson {
   }
 
   /**
-   * Creates a message with all required fields set.
+   * Creates a message that its readers accept, with all required fields set.
    *
    * @param origin description of the JSON, for errors
    * @throws BadInputException naming the field that is unknown, missing, of the wrong kind or unit,
-   *     or out of range
+   *     out of range, or inconsistent with others
    */
   public U2SAData message(String origin, MessageType<?> type, Map<String, Object> json) {
     if (type.isAbstract()) {
       throw new BadInputException(
           origin + ": " + type.name() + " is abstract: expected a subclass as \"type\"");
     }
-    return filled(origin, type, json);
+    U2SAData message = filled(origin, type, json);
+    try {
+      MessageCodec codec = new MessageCodec(types);
+      codec.decode(message.typeChain(), codec.encode(message));
+    } catch (MalformedMessageException e) {
+      throw new BadInputException(origin + ": " + type.name() + ", " + e.reason(), e);
+    } catch (IllegalStateException e) {
+      throw new BadInputException(origin + ": " + e.getMessage(), e);
+    }
+    return message;
   }
 
   private <T extends U2SAData> T filled(

@@ -143,4 +143,21 @@ class MessageFromJsonTest {
     assertThatThrownBy(() -> JsonReader.object("JSON", "{\"a\":" + "[".repeat(100_000)))
         .isInstanceOf(BadInputException.class);
   }
+
+  @Test
+  void message_whatReadersWouldRefuse_isRefusedNamingTheField() {
+    assertThatThrownBy(() -> read(StateInformation.TYPE, "{\"x\": \"10 deg\", \"y\": 95}"))
+        .isInstanceOf(BadInputException.class)
+        .hasMessage("JSON: StateInformation, y: the latitude 95.0 deg is outside -90…90 deg");
+    assertThat(read(StateInformation.TYPE, "{\"y\": 95, \"referenceFrame\": \"LOCAL_ENU\"}"))
+        .isNotNull();
+    assertThatThrownBy(
+            () ->
+                read(
+                    CameraImage.TYPE,
+                    "{\"sensorName\": \"c\", \"format\": \"image/jpeg\", \"data\": \"\", \"width\":"
+                        + " 1000000}"))
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContaining("a size of 1000000 x 0 px");
+  }
 }

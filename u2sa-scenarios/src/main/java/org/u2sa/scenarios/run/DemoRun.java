@@ -149,6 +149,11 @@ record DemoRun(
       }
       refuseFailed(running);
       refuseUnswapped(operator);
+      int completed = (int) goals.stream().filter(observer.record().completed()::contains).count();
+      if (completed < goals.size()) {
+        troubles.printRest();
+        terminal.out().println("Logs: " + directory.resolve("logs"));
+      }
       double wallS = Clock.seconds(STOPWATCH.micros() - began);
       return RunReport.of(
           new RunDetails(
@@ -157,8 +162,7 @@ record DemoRun(
               simulated.name(),
               wallS,
               OptionalInt.of(goals.size()),
-              OptionalInt.of(
-                  (int) goals.stream().filter(observer.record().completed()::contains).count())),
+              OptionalInt.of(completed)),
           fenced(plan, running),
           observer.record().track(),
           outcome(observer));

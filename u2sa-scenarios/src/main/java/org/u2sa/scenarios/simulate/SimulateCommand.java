@@ -11,7 +11,6 @@ import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.drivers.ioio.IoioService;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -149,10 +148,7 @@ final class SimulateCommand implements Callable<Integer>, Demo {
   public Path ownMission(SystemFile system, LaunchOptions options) {
     for (SystemFile.Entry entry : system.services()) {
       if (entry.className().equals(MissionManager.class.getName())) {
-        XmlConfiguration variables = options.configuration(entry);
-        Path folder =
-            variables.file().map(file -> file.toAbsolutePath().getParent()).orElse(Path.of(""));
-        return folder.resolve(variables.getVariable("MISSION").toString()).normalize();
+        return options.configuration(entry).namedFile("MISSION");
       }
     }
     throw new BadInputException(

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.scenarios.run.CommandLineRun;
@@ -82,6 +83,28 @@ class SimulateTest {
     assertThat(summary.get("stateWithin3Sigma").asDouble()).isBetween(0.8, 1.0);
     assertThat(folder.resolve("one/logs/Control.log")).exists();
     assertThat(folder.resolve("one/track.svg")).exists();
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "GpsSensor | StateEstimator: state lacks x, y: no source of position on sensed-state",
+        "FusingStateEstimator | system.xml: no service publishes \"state\"; needed by PathPlanner, Control",
+        "WheelMotors | Control: the vehicle does not move, and no service has announced LEFT MOTOR, RIGHT MOTOR",
+      })
+  void simulate_serviceMissing_saysWhyNoGoalWasCompleted(String service, String reason)
+      throws IOException, URISyntaxException {
+    project("rover");
+    Path system = folder.resolve("system.xml");
+    List<String> lines = Files.readAllLines(system);
+    assertThat(lines.removeIf(line -> line.contains("." + service + "\""))).isTrue();
+    Files.write(system, lines);
+
+    CommandLineRun run = simulate("out", "--limit", "15");
+
+    assertThat(run.exitCode()).isEqualTo(ExitCode.FAILED);
+    assertThat(run.out()).contains(reason, "Logs: " + folder.resolve("out/logs"));
   }
 
   @Tag("long")

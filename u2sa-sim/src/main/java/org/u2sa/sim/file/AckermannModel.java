@@ -21,7 +21,7 @@ record AckermannModel(AckermannParameters parameters, Footprint footprint) imple
             body.massKg(),
             body.inertiaAboutGravityCentre().z(),
             body.gravityCentre().x(),
-            -body.gravityCentre().z(),
+            body.gravityHeightM(),
             file.number("wheelbase", "m", 0.02, 20.0),
             file.number("wheelRadius", "m", 0.005, 5.0),
             file.number("wheelInertia", "kg m^2", 1e-6, 1_000.0),

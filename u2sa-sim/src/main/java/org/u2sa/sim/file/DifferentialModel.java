@@ -23,7 +23,7 @@ record DifferentialModel(
             body.massKg(),
             body.inertiaAboutGravityCentre().z(),
             body.gravityCentre().x(),
-            -body.gravityCentre().z(),
+            body.gravityHeightM(),
             file.number("track", "m", 0.02, 10.0),
             file.number("castorAhead", "m", 0.01, 10.0),
             file.number("castorTrail", "m", 0.005, 2.0),

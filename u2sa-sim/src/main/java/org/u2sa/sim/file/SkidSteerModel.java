@@ -45,7 +45,7 @@ record SkidSteerModel(
                     body.massKg(),
                     body.inertiaAboutGravityCentre().z(),
                     body.gravityCentre().x(),
-                    -body.gravityCentre().z(),
+                    body.gravityHeightM(),
                     axles,
                     track,
                     radius,

@@ -81,6 +81,8 @@ class VehicleFileTest {
           <mass unit="kg">35</mass>|<mas unit="kg">35</mas>|vehicle.xml, line 3, <body>: lacks <mass>; expected a value in kg
           <mass unit="kg">35</mass>|<mass unit="kg">35</mass><wight>3</wight>|vehicle.xml, line 4, <wight>: unknown element in <body>; expected mass, inertia, gravityCentre, inertiaAbout, outline
           0.8 1.6 2.2|0.8 1.6|vehicle.xml, line 5, <inertia>: "0.8 1.6": expected three numbers of kg m^2
+          0.8 1.6 2.2|0.8 0.1 2.2|vehicle.xml, line 5, <inertia>: (0.8, 0.1, 2.2) kg m^2: no body has these moments; expected none above the sum of the other two
+          0.02 0 -0.18|0.02 0 0.18|vehicle.xml, line 6, <gravityCentre>: the third number is 0.18 m: expected -2.0…0 m; down is positive
           <motor preset="AndyMark PG27"/>|<motor preset="AndyMark PG72"/>|vehicle.xml, line 20, <motor>: preset "AndyMark PG72": expected one of AndyMark PG27, Pololu 37D 30:1
           <axles unit="m">0.32 0 -0.32</axles>|<axles unit="m">0.32</axles>|vehicle.xml, line 15, <skidSteer>: axles [0.32]: expected at least two different positions
           0.02 0 -0.18|0.5 0 -0.18|vehicle.xml, line 15, <skidSteer>: axle -0.32 m: its wheels would carry -
