@@ -156,6 +156,21 @@ class FlightGoalsTest {
     assertThat(Math.hypot(ned.x(), ned.y())).isLessThan(0.1);
   }
 
+  @Test
+  void takeOff_aeroplaneThatNoLongerClimbs_isGivenUpAfterAMinute() {
+    plane();
+    pursue(new TakeOff().z(-60.0));
+    double startedS = kit.nowS();
+    while (reports().isEmpty() && kit.nowS() < startedS + 200.0) {
+      step(20.0);
+      ned = Point.of(ned.x(), ned.y(), Math.max(-25.0, ned.z()));
+    }
+
+    assertThat(reports().get(0).abandoned()).isTrue();
+    assertThat(reports().get(0).reason()).contains("given up: no higher than 25 m for a minute");
+    assertThat(kit.nowS() - startedS).isBetween(60.0, 75.0);
+  }
+
   /** A drop of which the wind blows across, scored by an integration of its own. */
   @ParameterizedTest
   @CsvSource({"0, 0, 20, 40", "5, 0, 20, 40", "-4, 6, 20, 40", "3, -7, 8, 40", "2, 3, 20, 200"})

@@ -1,6 +1,7 @@
 package org.u2sa.control.fixedwing;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -235,6 +236,14 @@ public final class CessnaControl extends ControlSystem {
           "phase " + phase + (navigating ? "" : ", no navigation: " + without(phase)));
       if (phase == FlightPhase.GO_AROUND && phase != loggedPhase) {
         log(LogLevelEnum.ERROR, autopilot.refusalWords());
+      }
+      if (phase == FlightPhase.STOPPED && loggedPhase == FlightPhase.ROLL) {
+        trouble(
+            String.format(
+                Locale.ROOT,
+                "take-off rejected at %.0f m/s over ground, calibrated airspeed %.0f m/s",
+                state.groundSpeedMps(),
+                state.calibratedAirspeedMps()));
       }
       loggedPhase = phase;
       loggedNavigating = navigating;
