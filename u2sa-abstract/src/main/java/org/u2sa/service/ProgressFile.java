@@ -9,7 +9,7 @@ import java.nio.file.StandardCopyOption;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.u2sa.interfaces.log.ReplacedFile;
+import org.u2sa.interfaces.disk.ReplacedFile;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.service.handover.HandOver;
 import org.u2sa.service.handover.HandOverText;

@@ -67,6 +67,10 @@ record FusionVariables(
         @Description(
             "Scale error of speeds along the vehicle, 1 sigma, which the filter estimates; 0: none; -1: 0.03 for GROUND, otherwise none.")
         double wheelScaleSigma,
+    @Variable(unit = "m/s", min = -1, max = 1, ifAbsent = -1)
+        @Description(
+            "Constant error of speeds over ground measured along the vehicle, such as a velocity log's, 1 sigma of each component, which the filter estimates; 0: none; -1: 0.002 m/s for UNDERWATER, otherwise none.")
+        double speedBiasSigma,
     @Variable(min = 2, max = 20, ifAbsent = 4)
         @Description("Gate, in standard deviations, beyond which a measurement is rejected.")
         double gate,
@@ -174,6 +178,7 @@ record FusionVariables(
         accelerometerBiasNoise,
         flowSigma,
         wheelScaleSigma < 0.0 ? usual.wheelScaleSigma() : wheelScaleSigma,
+        speedBiasSigma < 0.0 ? usual.speedBiasSigma() : speedBiasSigma,
         gate,
         usual.window(),
         positionCorrelation,

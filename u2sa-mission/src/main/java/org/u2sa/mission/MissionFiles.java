@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.Configurator;
-import org.u2sa.interfaces.configuration.LoadedFile;
+import org.u2sa.interfaces.disk.LoadedFile;
 import org.u2sa.service.ServiceContext;
 
 /**
@@ -21,7 +21,10 @@ final class MissionFiles {
           MissionVariables.MISSION, MissionVariables.RETURN_MISSION, MissionVariables.LAND_MISSION);
 
   private final ServiceContext context;
-  private final Map<String, LoadedFile> loaded = new TreeMap<>(); // by variable
+
+  private record Content(Mission mission, String digest) {}
+
+  private final Map<String, LoadedFile<Content>> loaded = new TreeMap<>(); // by variable
   private List<String> said = List.of();
 
   MissionFiles(ServiceContext context) {
@@ -30,11 +33,18 @@ final class MissionFiles {
 
   /** Reads a mission file and monitors it from now on, instead of the variable's previous file. */
   Mission load(String variable, String path, double thresholdM) {
-    Path file = context.configuration().resolve(path);
-    LoadedFile watched = new LoadedFile(file, each -> read(variable, each, thresholdM));
-    Mission mission = read(variable, file, thresholdM);
-    loaded.put(variable, watched);
-    return mission;
+    LoadedFile<Content> file =
+        new LoadedFile<>(
+            context.configuration().resolve(path),
+            each -> new Content(read(variable, each, thresholdM), SavedMission.digest(each)),
+            context.clock());
+    loaded.put(variable, file);
+    return file.content().mission();
+  }
+
+  /** Digest of the file of MISSION as loaded: it may be edited while the mission runs. */
+  String digest() {
+    return loaded.get(MissionVariables.MISSION).content().digest();
   }
 
   void forget(String variable) {

@@ -1,7 +1,5 @@
 package org.u2sa.mission;
 
-import java.io.IOException;
-import java.nio.file.Paths;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -77,7 +75,6 @@ public final class MissionManager extends PeriodicService {
   private final Resumable resumable;
   private final MessageTypes messageTypes;
   private final ReturnPlaces returnPlaces = new ReturnPlaces(() -> this.home);
-  private String digest = ""; // of the mission file as loaded
   private Optional<Waypoint> home = Optional.empty();
   private boolean beginsAnew = true; // false after a takeover
   private long repeatDueMicros; // of the current goals, for a planner unaware of them
@@ -96,7 +93,11 @@ public final class MissionManager extends PeriodicService {
     failsafes = new FailsafeMissions(run, files, settings, this);
     resumable =
         new Resumable(
-            run, new SavedMission(context, NAME, MissionManager.class.getName()), settings, this);
+            run,
+            new SavedMission(context, NAME, MissionManager.class.getName()),
+            files::digest,
+            settings,
+            this);
     firstFailsafe = new FirstFailsafe(this, context);
     messageTypes = context.messageTypes();
     orders =
@@ -131,11 +132,6 @@ public final class MissionManager extends PeriodicService {
 
   private GoalSequence load() {
     Mission mission = files.load(MissionVariables.MISSION, settings.get().mission(), thresholdM());
-    try {
-      digest = SavedMission.digest(Paths.get(mission.origin()));
-    } catch (IOException e) {
-      throw new BadInputException(mission.origin() + ": " + e.getMessage(), e);
-    }
     home = Optional.empty();
     return sequence(mission);
   }
@@ -206,7 +202,7 @@ public final class MissionManager extends PeriodicService {
   @Override
   protected void handOver(HandOver state) {
     state.text(MissionVariables.MISSION, settings.get().mission());
-    state.text(DIGEST, digest);
+    state.text(DIGEST, files.digest());
     state.number(MissionVariables.DEFAULT_THRESHOLD, thresholdM());
     limits.handOver(state);
     run.progress().handOver(state);
@@ -218,7 +214,7 @@ public final class MissionManager extends PeriodicService {
         state.text(MissionVariables.MISSION).filter(settings.get().mission()::equals).isPresent();
     // a re-executed recording has a copy elsewhere
     boolean same =
-        (isItsFile || state.text(DIGEST).filter(digest::equals).isPresent())
+        (isItsFile || state.text(DIGEST).filter(files.digest()::equals).isPresent())
             && state.number(MissionVariables.DEFAULT_THRESHOLD).orElse(0.0) == thresholdM();
     if (!same) {
       log(LogLevelEnum.WARN, "mission changed since the last run: starting it from its first goal");

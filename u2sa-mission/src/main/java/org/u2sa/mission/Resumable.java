@@ -1,8 +1,6 @@
 package org.u2sa.mission;
 
 import java.io.IOException;
-import java.nio.file.Path;
-import java.nio.file.Paths;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
@@ -20,19 +18,23 @@ final class Resumable {
   private final MissionRun run;
   private final Logger logger;
   private final SavedMission saved;
+  private final Supplier<String> digest; // of the mission file as loaded
   private final Supplier<MissionVariables> settings;
   private Optional<MissionProgress> found = Optional.empty();
   private String foundDigest = ""; // of the mission whose progress was loaded
-  private Mission digested; // the mission of the digest; null at first
-  private String digest = "";
   private boolean hasFile = true; // whether the mission comes from the file
   private final AtomicLong notSaved = new AtomicLong();
 
   Resumable(
-      MissionRun run, SavedMission saved, Supplier<MissionVariables> settings, Logger logger) {
+      MissionRun run,
+      SavedMission saved,
+      Supplier<String> digest,
+      Supplier<MissionVariables> settings,
+      Logger logger) {
     this.run = run;
     this.logger = logger;
     this.saved = saved;
+    this.digest = digest;
     this.settings = settings;
   }
 
@@ -46,8 +48,10 @@ final class Resumable {
       return Optional.empty();
     }
     try {
-      foundDigest = SavedMission.digest(file());
-      found = saved.read(file(), settings.get().loop(), settings.get().options());
+      foundDigest = digest.get();
+      found =
+          saved.read(
+              run.mission().origin(), foundDigest, settings.get().loop(), settings.get().options());
     } catch (IOException e) {
       logger.log(LogLevelEnum.WARN, e.getMessage() + ": starting the mission from its first goal");
     }
@@ -64,10 +68,6 @@ final class Resumable {
                     "the previous process ended at goal %s: order resume to continue there",
                     before.mission().currentNames())));
     return Optional.empty();
-  }
-
-  private Path file() {
-    return Paths.get(run.mission().origin());
   }
 
   /** Consumes the loaded progress. */
@@ -115,17 +115,7 @@ final class Resumable {
   /** Discards the loaded progress if it belongs to a mission other than the starting one. */
   void forgetOther() {
     hasFile = true;
-    found = found.filter(before -> isOf(file()));
-  }
-
-  private boolean isOf(Path mission) {
-    try {
-      return SavedMission.digest(mission).equals(foundDigest);
-    } catch (IOException e) {
-      logger.log(
-          LogLevelEnum.WARN, e + ": the order resume no longer continues at " + where().orElse(""));
-      return false;
-    }
+    found = found.filter(before -> digest.get().equals(foundDigest));
   }
 
   /** Description of the position at which {@link #taken} would resume. */
@@ -142,21 +132,8 @@ final class Resumable {
     if (progress.mission().isOver()) {
       saved.delete(this::notSaved);
     } else {
-      try {
-        saved.write(progress, digest(), this::notSaved);
-      } catch (IOException e) {
-        notSaved(e);
-      }
+      saved.write(progress, digest.get(), this::notSaved);
     }
-  }
-
-  /** Digest taken when the mission begins, because its file may be edited while it runs. */
-  private String digest() throws IOException {
-    if (digested != run.mission()) {
-      digest = SavedMission.digest(file());
-      digested = run.mission();
-    }
-    return digest;
   }
 
   /** Reports that saving failed, e.g. because the disk is full; not fatal. */

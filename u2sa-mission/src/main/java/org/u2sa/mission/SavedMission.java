@@ -8,8 +8,9 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.WholeFile;
-import org.u2sa.interfaces.log.ReplacedFile;
+import org.u2sa.interfaces.disk.ReplacedFile;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.handover.HandOver;
@@ -66,16 +67,19 @@ final class SavedMission {
   /**
    * Last saved progress; empty if none.
    *
+   * @param mission name of the mission file
+   * @param digest its digest
    * @throws IOException if it is unreadable, or saved for another mission or vehicle
    */
-  Optional<MissionProgress> read(Path mission, boolean loop, GoalSequence.Options options)
+  Optional<MissionProgress> read(
+      String mission, String digest, boolean loop, GoalSequence.Options options)
       throws IOException {
     HandOver state =
         access.read(() -> Files.exists(file) ? HandOverText.read(file, systemId, codec) : null);
     if (state == null) {
       return Optional.empty();
     }
-    if (state.text(DIGEST).filter(digest(mission)::equals).isEmpty()) {
+    if (state.text(DIGEST).filter(digest::equals).isEmpty()) {
       throw new IOException(file + ": belongs to a different mission than " + mission + " is now");
     }
     try {
@@ -92,11 +96,17 @@ final class SavedMission {
     access.change(() -> Files.deleteIfExists(file), failed);
   }
 
-  /** Digest of a mission file, to distinguish missions. */
-  static String digest(Path mission) throws IOException {
+  /**
+   * Digest of a mission file, to distinguish missions.
+   *
+   * @throws BadInputException if it cannot be read
+   */
+  static String digest(Path mission) {
     try {
       byte[] digest = MessageDigest.getInstance("SHA-256").digest(Files.readAllBytes(mission));
       return String.format("%064x", new BigInteger(1, digest));
+    } catch (IOException e) {
+      throw new BadInputException(mission + ": " + e.getMessage(), e);
     } catch (NoSuchAlgorithmException e) {
       throw new IllegalStateException("every Java platform has SHA-256", e);
     }

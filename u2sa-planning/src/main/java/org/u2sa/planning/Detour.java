@@ -45,6 +45,11 @@ final class Detour {
     return avoidance.isOn() && avoidance.blocksDescent(vehicle, state, from, to);
   }
 
+  /** Whether something above or below held the vehicle up at the last state. */
+  boolean isHeldUp() {
+    return avoidance.isHeldUp();
+  }
+
   /** Whether a route to the target of the last {@link #step} is known. */
   boolean hasRoute() {
     return avoidance.remainingM().isPresent();

@@ -107,7 +107,9 @@ final class GroundStay {
   /** Sees that the vehicle is led to a goal. */
   void lead(GoalInformation goal, Plan plan, long micros) {
     descends = goal instanceof Landing;
-    landed = descends && plan.progress() == Plan.Progress.COMPLETED;
+    boolean isAbandonedAtRest =
+        plan.progress() == Plan.Progress.ABANDONED && plan.points().isEmpty();
+    landed = descends && (plan.progress() == Plan.Progress.COMPLETED || isAbandonedAtRest);
     left &= !landed;
     if (!armed || landed || plan.points().isEmpty()) {
       firstLed = NEVER;
@@ -118,7 +120,7 @@ final class GroundStay {
     boolean isLed = firstLed != NEVER && micros - firstLed >= LED_MICROS;
     left |= isLed && !isAeroplane.getAsBoolean(); // which may stand while its engine starts
     boolean isAtGround = descends || goal instanceof TakeOff;
-    atGround = isAtGround && plan.progress() == Plan.Progress.UNDER_WAY ? goal.uid() : "";
+    atGround = isAtGround && plan.progress() != Plan.Progress.COMPLETED ? goal.uid() : "";
   }
 
   /**
@@ -145,23 +147,26 @@ final class GroundStay {
 
   /** Sees that the vehicle holds. */
   void hold() {
+    climbs |= !atGround.isEmpty();
+    atGround = "";
     firstLed = NEVER;
     risesToM = OptionalDouble.empty();
   }
 
   /**
    * Way straight ahead and up of an aeroplane that holds, or whose take-off or landing gives way to
-   * another goal, while it is lower than half the minimum height: a turn there would bring a wing
-   * near the ground. Empty for others, and once it has climbed.
+   * another goal, while it is lower than half the minimum height, or still sinks below that height:
+   * a turn there would bring a wing near the ground. Empty for others, and once it has climbed.
    */
   Optional<NavigationPoint> climb(Optional<GoalInformation> goal, Vehicle vehicle, double aheadM) {
     String uid = goal.map(GoalInformation::uid).orElse("");
-    climbs |= goal.isEmpty() || !(atGround.isEmpty() || atGround.equals(uid));
     boolean takesOff = goal.filter(TakeOff.class::isInstance).isPresent();
     OptionalDouble leastM = leastUpM();
-    double upM = vehicle.place().upM().orElse(Double.POSITIVE_INFINITY);
+    double lowM = leastM.orElse(0.0) - vehicle.place().upM().orElse(Double.POSITIVE_INFINITY);
+    boolean isLow = lowM > settings.get().minHoldHeight() / 2.0;
+    climbs |= goal.isEmpty() ? isLow : !(atGround.isEmpty() || atGround.equals(uid));
+    climbs &= isLow || lowM > 0.0 && vehicle.downMps() > 0.0;
     climbs &= !takesOff && left && leastM.isPresent();
-    climbs = climbs && upM < leastM.getAsDouble() - settings.get().minHoldHeight() / 2.0;
     if (!climbs) {
       climbHeadingRad = OptionalDouble.empty();
       return Optional.empty();
@@ -170,7 +175,7 @@ final class GroundStay {
     climbHeadingRad = OptionalDouble.of(headingRad);
     double northM = aheadM * Math.cos(headingRad);
     double eastM = aheadM * Math.sin(headingRad);
-    Point ahead = Point.of(northM, eastM, upM - leastM.getAsDouble());
+    Point ahead = Point.of(northM, eastM, -lowM);
     return Optional.of(NavigationPoint.at(vehicle.body(ahead)));
   }
 

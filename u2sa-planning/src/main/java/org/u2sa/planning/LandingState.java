@@ -1,6 +1,7 @@
 package org.u2sa.planning;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
@@ -13,11 +14,13 @@ import org.u2sa.planning.guidance.Vehicle;
 
 /**
  * {@link Landing}: descends along a straight approach or vertically; completed when the vehicle has
- * been at rest for a while, abandoned when it lies on its side.
+ * been at rest for a while, abandoned when it lies on its side or stands far from the position,
+ * also above it.
  */
 final class LandingState implements PlannerState {
   private static final double STILL_MPS = 0.25;
   private static final double STANDS_S = 2.0;
+  private static final double STANDS_HIGH_S = 10.0; // on ground that should be lower
   private static final double COS_ON_SIDE = 0.5; // 60 deg from upright
   private static final double LOW_M = 3.0; // height above the ground given by the goal
   private static final double SIGMAS = 2.0; // possible height error, in standard deviations
@@ -31,8 +34,12 @@ final class LandingState implements PlannerState {
 
     /** Whether the vehicle is on its final descent: if it does not sink, it has landed. */
     boolean isFinal();
+
+    /** Distance from the position beyond which the vehicle has landed elsewhere [m]. */
+    double farM(Landing goal);
   }
 
+  private final Detour detour;
   private final Supplier<LineSettings> lines;
   private final Descent straight;
   private final Descent vertical;
@@ -45,6 +52,7 @@ final class LandingState implements PlannerState {
       Supplier<LineSettings> lines,
       StationCircle circle,
       Supplier<FlightVariables> settings) {
+    this.detour = detour;
     this.lines = lines;
     this.settings = settings;
     straight = new StraightApproach(detour, lines, circle, settings);
@@ -81,7 +89,8 @@ final class LandingState implements PlannerState {
     double downM = vehicle.nedOf(Place.of(goal)).z();
     double climbMps = pursuit.state().zDot().orElse(0.0);
     boolean isLow = downM < LOW_M + SIGMAS * pursuit.state().zSigma().orElse(0.0);
-    boolean mayStand = isLow && descent().isFinal();
+    boolean mayStand =
+        descent().isFinal() && (isLow || descent() == vertical && !detour.isHeldUp());
     if (!mayStand || Math.hypot(vehicle.speedMps(), climbMps) > STILL_MPS) {
       sinceMicros = Long.MIN_VALUE;
       return plan;
@@ -92,7 +101,7 @@ final class LandingState implements PlannerState {
       sinceDownM = downM;
     }
     double stillS = Clock.seconds(now - sinceMicros);
-    if (stillS < STANDS_S) {
+    if (stillS < (isLow ? STANDS_S : STANDS_HIGH_S)) {
       return plan;
     }
     if (sinceDownM - downM > SINKS_SHARE * settings.get().touchDownSink() * stillS) {
@@ -101,8 +110,15 @@ final class LandingState implements PlannerState {
     }
     double upright =
         Math.cos(pursuit.state().phi().orElse(0.0)) * Math.cos(pursuit.state().theta().orElse(0.0));
-    return upright < COS_ON_SIDE
-        ? new Plan(plan.points(), Plan.Progress.ABANDONED, "given up: has tipped over")
-        : new Plan(List.copyOf(plan.points()), Plan.Progress.COMPLETED, "stands");
+    double awayM = distanceM(goal, pursuit.state());
+    String stands =
+        isLow
+            ? String.format(Locale.ROOT, "stands %.1f m from its position", awayM)
+            : String.format(Locale.ROOT, "stands %.1f m above its position", downM);
+    if (isLow && upright >= COS_ON_SIDE && awayM <= descent().farM(goal)) {
+      return new Plan(List.copyOf(plan.points()), Plan.Progress.COMPLETED, stands);
+    }
+    String reason = "given up: " + (upright < COS_ON_SIDE ? "has tipped over" : stands);
+    return new Plan(List.of(), Plan.Progress.ABANDONED, reason);
   }
 }

@@ -17,6 +17,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.ManualState;
 import org.u2sa.planning.avoidance.Avoidance;
@@ -316,7 +317,7 @@ public class PathPlanner extends EventDrivenService {
     if (isHolding()) {
       ground.hold();
       Vehicle vehicle = Vehicle.of(state).orElseThrow();
-      return ground.stays() ? ground.points(vehicle) : hold(vehicle, Optional.empty());
+      return ground.stays() ? ground.points(vehicle) : hold(state, Optional.empty());
     }
     if (ground.isBack()) {
       complain("returning: already on the ground", "on the ground");
@@ -341,11 +342,15 @@ public class PathPlanner extends EventDrivenService {
     }
     return blind.brakes()
         ? List.of(NavigationPoint.at(Point.of(1.0, 0.0, 0.0)).speed(0.0))
-        : hold(Vehicle.of(state).orElseThrow(), Optional.empty());
+        : hold(state, Optional.empty());
   }
 
-  private List<NavigationPoint> hold(Vehicle vehicle, Optional<Place> place) {
-    return climb(Optional.empty(), vehicle).map(List::of).orElseGet(() -> end.plan(vehicle, place));
+  private List<NavigationPoint> hold(StateInformation state, Optional<Place> place) {
+    Vehicle vehicle = Vehicle.of(state).orElseThrow();
+    List<NavigationPoint> points =
+        climb(Optional.empty(), vehicle).map(List::of).orElseGet(() -> end.plan(vehicle, place));
+    guard("", points, Optional.empty(), state); // it waits at its altitude
+    return points;
   }
 
   private Optional<NavigationPoint> climb(Optional<GoalInformation> to, Vehicle vehicle) {
@@ -418,13 +423,14 @@ public class PathPlanner extends EventDrivenService {
     }
     goal = Optional.of(chosen);
     foreseen = after.map(GoalInformation::uid).orElse("");
-    Plan plan =
+    Plan next =
         Vehicle.of(state)
             .flatMap(
                 vehicle ->
                     ground.rise(chosen, vehicle).or(() -> climb(Optional.of(chosen), vehicle)))
             .map(up -> Plan.underWay(List.of(up)))
             .orElseGet(() -> planner.get().plan(pursuit));
+    Plan plan = guarded(next, chosen, state);
     ground.lead(chosen, plan, clock().micros());
     if (!plan.remark().isEmpty()) {
       LogLevelEnum level =
@@ -439,6 +445,24 @@ public class PathPlanner extends EventDrivenService {
     List<NavigationPoint> points = view.with(plan.points(), chosen, state);
     complaint = "";
     return points;
+  }
+
+  /** The step without climbing or descending into what is above or below. */
+  private Plan guarded(Plan next, GoalInformation to, StateInformation state) {
+    Optional<Place> ground =
+        to instanceof Landing landing ? Optional.of(Place.of(landing)) : Optional.empty();
+    Optional<String> why = guard(to.uid(), next.points(), ground, state);
+    boolean goesOn = next.progress() == Plan.Progress.UNDER_WAY;
+    return goesOn && why.isPresent() ? Plan.unless(why, next.points()) : next;
+  }
+
+  private Optional<String> guard(
+      String uid, List<NavigationPoint> points, Optional<Place> ground, StateInformation state) {
+    Vehicle vehicle = Vehicle.of(state).orElseThrow();
+    return points.stream()
+        .filter(point -> point.subsystem().equals("VEHICLE"))
+        .findFirst()
+        .flatMap(point -> avoidance.guard(uid, vehicle, state, point, ground));
   }
 
   private void show(PlannedPath path, StateInformation state) {
@@ -463,7 +487,7 @@ public class PathPlanner extends EventDrivenService {
       return ground.points(vehicle);
     }
     boolean holds = failsafe == FailsafeAction.RETURN || settings.get().holdsAtEnd();
-    return holds ? hold(vehicle, holdAt) : List.of();
+    return holds ? hold(state, holdAt) : List.of();
   }
 
   private void publish(List<NavigationPoint> points, StateInformation state) {

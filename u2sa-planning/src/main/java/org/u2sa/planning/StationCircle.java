@@ -44,6 +44,7 @@ final class StationCircle {
   private final Supplier<FlightVariables> settings;
   private LoiterCircle circle; // null before the first plan
   private Optional<Place> place = Optional.empty(); // its centre as given by the station
+  private double givenM; // its radius as given by the station; 0: none
   private int
       entry; // number of the current detour's entry, from 1; 0: on the circle or straight to it
   private double entryRad; // the entry's direction from the centre
@@ -77,11 +78,11 @@ final class StationCircle {
   }
 
   private void begin(Station station, Place centre, Vehicle vehicle) {
-    double wanted = station.radius().orElse(0.0);
+    givenM = station.radius().orElse(0.0);
     circle =
-        wanted == 0.0
+        givenM == 0.0
             ? new LoiterCircle(centre, radiusM.get(), vehicle)
-            : LoiterCircle.signed(centre, wanted);
+            : LoiterCircle.signed(centre, givenM);
     sinceMicros = Long.MIN_VALUE;
     turnedRad = 0.0;
     widerM = 0.0;
@@ -95,7 +96,10 @@ final class StationCircle {
     }
     circle.handOver(state);
     place.ifPresent(centre -> centre.handOver(state, "STATION CENTRE"));
-    state.number("STATION TURNED", turnedRad).number("STATION WIDER", widerM);
+    state
+        .number("STATION RADIUS", givenM)
+        .number("STATION TURNED", turnedRad)
+        .number("STATION WIDER", widerM);
     if (sinceMicros != Long.MIN_VALUE) {
       state.number("STATION SINCE", Clock.seconds(sinceMicros));
     }
@@ -104,6 +108,7 @@ final class StationCircle {
   void takeOver(HandOver state) {
     place = Place.takenOver(state, "STATION CENTRE");
     circle = LoiterCircle.takenOver(state).orElse(null);
+    givenM = state.number("STATION RADIUS").orElse(0.0);
     turnedRad = state.number("STATION TURNED").orElse(0.0);
     widerM = state.number("STATION WIDER").orElse(0.0);
     OptionalDouble since = state.number("STATION SINCE");
@@ -117,7 +122,7 @@ final class StationCircle {
    * Plans the next step.
    *
    * @param after the next goal
-   * @param centre of the circle, with altitude; a changed centre starts a new circle
+   * @param centre of the circle, with altitude; a changed centre or radius starts a new circle
    */
   Plan plan(
       Station station,
@@ -125,7 +130,9 @@ final class StationCircle {
       Vehicle vehicle,
       Place centre,
       Optional<GoalInformation> after) {
-    if (circle == null || !place.equals(Optional.of(centre))) {
+    boolean isChanged =
+        !place.equals(Optional.of(centre)) || givenM != station.radius().orElse(0.0);
+    if (circle == null || isChanged) {
       place = Optional.of(centre);
       begin(station, centre, vehicle);
     }

@@ -137,6 +137,9 @@ final class StationState implements PlannerState {
       Place centre = place.orAltitudeOf(here.orElse(place));
       return circle.plan(station, pursuit.state(), vehicle, centre, pursuit.after());
     }
+    if (station.turns().isPresent()) {
+      return new Plan(List.of(), Plan.Progress.ABANDONED, "given up: turns need a LOITER RADIUS");
+    }
     Point to = vehicle.nedOf(place);
     boolean isBerth = station.approach().isPresent() && station.psi().isPresent();
     Point start = isBerth ? to.plus(entrance(station)) : to;
@@ -229,9 +232,7 @@ final class StationState implements PlannerState {
       sinceMicros = now;
     }
     double keptS = Clock.seconds(now - sinceMicros);
-    double wantedS =
-        station.duration().orElse(station.turns().isPresent() ? 0.0 : Double.MAX_VALUE);
-    if (keptS < wantedS) {
+    if (keptS < station.duration().orElse(Double.MAX_VALUE)) {
       return Plan.underWay(points);
     }
     String remark = String.format(Locale.ROOT, "kept for %.1f s", keptS);

@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Supplier;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
@@ -22,17 +23,24 @@ import org.u2sa.planning.guidance.Vehicle;
  * Landing of an aeroplane: to a point on the extended centreline, around obstacles if the planner
  * avoids them, circling there to the approach altitude, level along the line, then down the slope
  * and along the runway. Control flares. The approach is repeated if it is off the line at the start
- * of the descent, if it is obstructed before that, or if traffic comes close above MIN_BREAK_OFF_M.
- * With an obstacle on the slope it lands in another direction, or gives up if the goal requires the
- * direction.
+ * of the descent, if it is obstructed before that, if traffic comes close above MIN_BREAK_OFF_M, or
+ * if the aeroplane still flies beyond the position. With an obstacle on the slope it lands in
+ * another direction, or gives up if the goal requires the direction.
  */
 final class StraightApproach implements LandingState.Descent {
   /** Lengths of the level part to try, in radii of downwind turns. */
   private static final double[] LEAD_RADII = {3.0, 2.0, 4.5, 1.5};
 
+  private static final double MOVED_M = 1.0; // a goal that another update leaves in its place
+  private static final long NOT_YET = Long.MAX_VALUE;
   private static final double ROLL_OUT_M = 500.0; // length of the line beyond the position
   private static final double PASSED_M = 50.0; // this far beyond the position …
   private static final double HIGH_M = 10.0; // … and this high, control has refused to land
+  private static final double FLIES_ON_S = 10.0; // after the position, whatever its height, …
+  private static final double FLIES_ON_SHARE = 0.9; // … if it has kept its speed over ground …
+  private static final double FLIES_ON_MPS = 5.0; // … and does not creep
+  private static final double FAR_M = 1000.0; // from the position: not on its runway, …
+  private static final double FAR_RADII = 4.0; // … nor so many radii of downwind turns
   private static final double ALONG_RAD = Math.toRadians(30.0); // maximum course error on the line
   private static final int ATTEMPTS = 3;
   private static final int BREAK_OFFS = 6;
@@ -59,6 +67,11 @@ final class StraightApproach implements LandingState.Descent {
   private int attempts;
   private int breakOffs;
   private boolean leaves; // leaving the line on which the approach was aborted
+  private boolean climbs; // straight on, before it may turn
+  private OptionalDouble psi = OptionalDouble.empty(); // direction required by the goal
+  private Place touchDown; // at which the descent is aimed
+  private long passedMicros = NOT_YET; // when it passed the position
+  private double passedMps; // speed over ground then
   private double courseRad;
   private double radiusM;
   private int lead; // index in LEAD_RADII
@@ -86,14 +99,15 @@ final class StraightApproach implements LandingState.Descent {
     attempts = 1;
     breakOffs = 0;
     leaves = false;
+    climbs = false;
+    psi = goal.psi();
     Point to = vehicle.nedOf(Place.of(goal));
     Optional<Point> wind = AirMass.wind(state, vehicle);
     courseRad =
-        goal.psi()
-            .orElseGet(
-                () ->
-                    wind.map(towards -> Math.atan2(-towards.y(), -towards.x()))
-                        .orElse(Math.atan2(to.y(), to.x())));
+        psi.orElseGet(
+            () ->
+                wind.map(towards -> Math.atan2(-towards.y(), -towards.x()))
+                    .orElse(Math.atan2(to.y(), to.x())));
     double fastestMps = // ground speed
         state.fluidxDot().orElse(vehicle.speedMps()) + wind.map(Point::distance).orElse(0.0);
     radiusM = lines.get().turns().radiusM(fastestMps);
@@ -103,6 +117,7 @@ final class StraightApproach implements LandingState.Descent {
 
   private void join() {
     phase = Phase.JOIN;
+    passedMicros = NOT_YET;
     circle.leave();
     guidance.begin(Optional.empty());
     detour.begin();
@@ -115,6 +130,13 @@ final class StraightApproach implements LandingState.Descent {
     double slope = Math.tan(goal.slope().orElse(Math.toRadians(settings.get().approachSlope())));
     double highM = place.upM().orElseThrow() + lengthM * slope;
     boolean isHigh = phase != Phase.DOWN || vehicle.nedOf(place).z() > MIN_BREAK_OFF_M;
+    boolean isMoved = phase == Phase.DOWN && hasMoved(vehicle, place);
+    if (isMoved && isHigh || isHigh && !psi.equals(goal.psi())) {
+      begin(goal, state, vehicle);
+      climbs = isMoved; // a turn on the slope would end low and beside the runway
+    } else if (isMoved) {
+      place = touchDown; // too late
+    }
     if (isHigh && blocksDescent(vehicle, state, place, lengthM, highM)) {
       return elsewhere(goal, state, vehicle, highM);
     }
@@ -123,7 +145,12 @@ final class StraightApproach implements LandingState.Descent {
     Point to = vehicle.nedOf(place);
     double remainingM = to.x() * Math.cos(courseRad) + to.y() * Math.sin(courseRad);
     Point toEntry = vehicle.nedOf(entry);
-    proceed(vehicle, entry, toEntry);
+    proceed(vehicle, entry, toEntry, remainingM > lengthM);
+    double share = vehicle.downMps() > 0.0 ? 1.0 : 0.5; // of the height of the approach
+    climbs &= to.z() < share * lengthM * slope;
+    if (climbs) {
+      return Plan.underWay(List.of(up(vehicle, place, highM)));
+    }
     if (phase == Phase.JOIN && detour.isPossible()) {
       return around(goal, state, vehicle, entry);
     }
@@ -146,12 +173,16 @@ final class StraightApproach implements LandingState.Descent {
     if (phase == Phase.LEVEL && remainingM <= lengthM) {
       double most = settings.get().approachAccuracy();
       if (Math.abs(acrossM) > most || Math.abs(toEntry.z()) > most) {
-        return again(acrossM, toEntry.z(), vehicle.body(toEntry));
+        return again(off(acrossM, toEntry.z()), vehicle.body(toEntry));
       }
       phase = Phase.DOWN;
+      touchDown = place;
     }
     if (remainingM < -PASSED_M && to.z() > HIGH_M) {
-      return again(acrossM, to.z(), vehicle.body(toEntry));
+      return again(off(acrossM, to.z()), vehicle.body(toEntry));
+    }
+    if (fliesOn(vehicle, remainingM)) {
+      return again("flies on beyond the position", vehicle.body(toEntry));
     }
     double aheadM = remainingM - lines.get().lookAheadM(vehicle.speedMps());
     double altitudeM = place.upM().orElseThrow() + slope * Math.max(0.0, Math.min(lengthM, aheadM));
@@ -165,6 +196,30 @@ final class StraightApproach implements LandingState.Descent {
   @Override
   public boolean isFinal() {
     return true;
+  }
+
+  @Override
+  public double farM(Landing goal) {
+    return Math.max(FAR_M, FAR_RADII * radiusM);
+  }
+
+  /** Whether it has passed the position without touching down, which would have slowed it. */
+  private boolean fliesOn(Vehicle vehicle, double remainingM) {
+    long now = vehicle.timestampMicros();
+    if (passedMicros == NOT_YET && remainingM < 0.0) {
+      passedMicros = now;
+      passedMps = vehicle.speedMps();
+    }
+    return passedMicros != NOT_YET
+        && Clock.seconds(now - passedMicros) > FLIES_ON_S
+        && vehicle.speedMps() > Math.max(FLIES_ON_MPS, FLIES_ON_SHARE * passedMps);
+  }
+
+  /** Whether the goal is no longer where the descent leads. */
+  private boolean hasMoved(Vehicle vehicle, Place goal) {
+    Point to = vehicle.nedOf(goal);
+    Point before = vehicle.nedOf(touchDown);
+    return Math.hypot(to.x() - before.x(), to.y() - before.y()) > MOVED_M;
   }
 
   private boolean blocksDescent(
@@ -251,13 +306,13 @@ final class StraightApproach implements LandingState.Descent {
   }
 
   /** Changes the phase on the way to the entry and at it. */
-  private void proceed(Vehicle vehicle, Place entry, Point toEntry) {
+  private void proceed(Vehicle vehicle, Place entry, Point toEntry, boolean isBeforeDescent) {
     double accuracyM = settings.get().approachAccuracy();
     boolean isOnLine = isOnLine(vehicle, toEntry);
     leaves &= isOnLine;
     boolean isThere =
         detour.isPossible()
-            ? isOnLine && !leaves
+            ? isOnLine && !leaves && isBeforeDescent
             : guidance.isApproaching() && guidance.hasPassed()
                 || Math.hypot(toEntry.x(), toEntry.y()) < accuracyM;
     boolean isLevel = Math.abs(toEntry.z()) < accuracyM / 2.0;
@@ -280,21 +335,21 @@ final class StraightApproach implements LandingState.Descent {
     return toGoM < accuracyM && Math.abs(acrossM) < accuracyM && Math.abs(turn) < ALONG_RAD;
   }
 
-  private Plan again(double acrossM, double aboveM, Point body) {
-    String off =
-        String.format(
-            Locale.ROOT,
-            "the approach is %.0f m off the line and %.0f m too high",
-            acrossM,
-            aboveM);
+  private Plan again(String off, Point body) {
+    List<NavigationPoint> points = List.of(NavigationPoint.at(body));
     if (attempts >= ATTEMPTS) {
-      return new Plan(
-          List.of(NavigationPoint.at(body)), Plan.Progress.ABANDONED, "given up: " + off);
+      return new Plan(points, Plan.Progress.ABANDONED, "given up: " + off);
     }
     attempts++;
+    leaves = true;
+    climbs = true;
     join();
-    return new Plan(
-        List.of(NavigationPoint.at(body)), Plan.Progress.UNDER_WAY, off + ": trying again");
+    return new Plan(points, Plan.Progress.UNDER_WAY, off + ": trying again");
+  }
+
+  private static String off(double acrossM, double aboveM) {
+    return String.format(
+        Locale.ROOT, "the approach is %.0f m off the line and %.0f m too high", acrossM, aboveM);
   }
 
   private static Plan underWay(Point body) {

@@ -9,21 +9,29 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.Landing;
 import org.u2sa.planning.avoidance.Avoidance;
+import org.u2sa.planning.guidance.Leg;
 import org.u2sa.planning.guidance.LineGuidance;
 import org.u2sa.planning.guidance.LineSettings;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 
-/** Landing of a multirotor: level flight to above the position, then descent. */
+/**
+ * Landing of a multirotor: level flight to above the position, then descent. It rises straight up
+ * first if it is low, also when the position moves away below it.
+ */
 final class VerticalDescent implements LandingState.Descent {
   private static final double SIGMAS = 2.0; // of the altitude, by which the ground may come sooner
   private static final double SLOW_BELOW_M = 4.0; // height above the ground given by the goal
+  private static final double FAR_M = 10.0; // from the position
+  private static final double LOW_M = 3.0; // height up to which it must not lean
 
   private final Detour detour;
   private final Supplier<FlightVariables> settings;
   private final LineGuidance guidance;
   private boolean above;
+  private boolean rises; // straight up, before it may lean
   private double altitudeM; // altitude on the way there
+  private Optional<Place> aimedAt = Optional.empty(); // position at the last state
 
   VerticalDescent(Detour detour, Supplier<LineSettings> lines, Supplier<FlightVariables> settings) {
     this.detour = detour;
@@ -36,8 +44,8 @@ final class VerticalDescent implements LandingState.Descent {
     guidance.begin(Optional.empty());
     detour.begin();
     above = false;
-    double upM = vehicle.place().upM().orElse(0.0);
-    altitudeM = Math.max(upM, Place.of(goal).upM().orElse(upM) + SLOW_BELOW_M); // as onto a roof
+    rises = false;
+    altitudeM = vehicle.place().upM().orElse(0.0);
   }
 
   @Override
@@ -45,8 +53,20 @@ final class VerticalDescent implements LandingState.Descent {
     Place place = Place.of(goal);
     Point to = vehicle.nedOf(place);
     boolean isHighEnough = to.z() > -SLOW_BELOW_M;
-    above |= isHighEnough && Math.hypot(to.x(), to.y()) <= goal.horizontalThreshold();
+    boolean isOver = isHighEnough && Math.hypot(to.x(), to.y()) <= goal.horizontalThreshold();
+    if (above && !isOver && !aimedAt.equals(Optional.of(place))) {
+      begin(goal, state, vehicle);
+    }
+    aimedAt = Optional.of(place);
+    above |= isOver && !rises;
     if (!above) {
+      rises = to.z() < LOW_M;
+      if (rises) {
+        Point up = Point.of(0.0, 0.0, to.z() - SLOW_BELOW_M);
+        return Plan.underWay(List.of(NavigationPoint.at(vehicle.body(up))));
+      }
+      double leastM = place.upM().orElse(altitudeM) + SLOW_BELOW_M; // as onto a roof
+      altitudeM = Math.max(altitudeM, leastM);
       Place over = place.at(altitudeM);
       Optional<Plan> around =
           detour.ifHindered(
@@ -69,12 +89,18 @@ final class VerticalDescent implements LandingState.Descent {
     // Near the ground, the target moves along, because control sinks in proportion to its distance.
     double slowM = SLOW_BELOW_M + SIGMAS * state.zSigma().orElse(0.0);
     double downM = Math.max(to.z() - slowM, settings.get().touchDownSink());
-    return Plan.underWay(
-        List.of(NavigationPoint.at(vehicle.body(Point.of(to.x(), to.y(), downM)))));
+    NavigationPoint down = NavigationPoint.at(vehicle.body(Point.of(to.x(), to.y(), downM)));
+    goal.psi().ifPresent(psi -> down.turn(Leg.wrapped(psi - vehicle.headingRad())));
+    return Plan.underWay(List.of(down));
   }
 
   @Override
   public boolean isFinal() {
     return above;
+  }
+
+  @Override
+  public double farM(Landing goal) {
+    return Math.max(FAR_M, goal.horizontalThreshold());
   }
 }

@@ -156,6 +156,9 @@ final class WaypointState implements PlannerState {
     Waypoint waypoint = (Waypoint) pursuit.goal();
     Place target = Place.of(waypoint);
     follow(target);
+    if (avoidance.isHeldUp() && !reached) {
+      altitude.begin(); // it waits, and has not missed the waypoint
+    }
     Vehicle vehicle = Vehicle.of(pursuit.state()).orElseThrow();
     Optional<Order> order = order(waypoint, target, vehicle, pursuit);
     if (order.filter(Order::isNew).isPresent() || yields && order.isEmpty()) {
@@ -179,10 +182,10 @@ final class WaypointState implements PlannerState {
     look(vehicle, target, waypoint, downM);
     last = Optional.of(pursuit.state());
     List<NavigationPoint> points = List.of(point);
-    if (reached && (guidance.isNearest() || !target.isHorizontal())) {
+    boolean climbs = isClimbing(waypoint, downM, vehicle);
+    if (reached && !climbs && (guidance.isNearest() || !target.isHorizontal())) {
       return new Plan(points, Plan.Progress.COMPLETED, "reached, " + passing(waypoint, downM));
     }
-    boolean climbs = isClimbing(waypoint, downM, vehicle);
     if (!guidance.hasPassed() || climbs) {
       return Plan.underWay(points);
     }
@@ -190,15 +193,17 @@ final class WaypointState implements PlannerState {
   }
 
   /**
-   * Whether a vehicle that can stop is still climbing or descending at a waypoint. Drifting over
-   * the waypoint meanwhile does not count as passing it.
+   * Whether a vehicle that can stop is still climbing or descending at a waypoint, also at the very
+   * edge of its threshold, where an estimation error could cause a miss. Drifting over the waypoint
+   * meanwhile does not count as passing it.
    */
   private boolean isClimbing(Waypoint waypoint, double downM, Vehicle vehicle) {
     boolean comesNearer = altitude.comesNearer(Math.abs(downM), vehicle.timestampMicros());
     return comesNearer
         && settings.get().turnAcceleration() == 0.0
         && nowM <= waypoint.horizontalThreshold()
-        && Math.abs(downM) > waypoint.verticalThreshold().orElse(Double.POSITIVE_INFINITY);
+        && Math.abs(downM)
+            > SHARE_NEAR * waypoint.verticalThreshold().orElse(Double.POSITIVE_INFINITY);
   }
 
   /**
@@ -229,7 +234,8 @@ final class WaypointState implements PlannerState {
 
   /** Completes a waypoint on its heading; otherwise turns to it in place, or approaches again. */
   private Plan turned(
-      Waypoint waypoint, Vehicle vehicle, Place target, NavigationPoint point, double downM) {
+      Waypoint waypoint, Vehicle vehicle, Place target, Avoidance.Step step, double downM) {
+    NavigationPoint point = step.point(vehicle);
     double psi = waypoint.psi().getAsDouble();
     double off = Math.abs(Leg.wrapped(psi - vehicle.headingRad()));
     if (off <= Math.toRadians(seeing.get().arrivalAngle())) {
@@ -239,8 +245,10 @@ final class WaypointState implements PlannerState {
       return new Plan(List.of(point), Plan.Progress.COMPLETED, remark + passing(waypoint, downM));
     }
     if (avoidance.turnsOnTheSpot()) {
-      Point there = Point.of(TURNS_TO_M * Math.cos(psi), TURNS_TO_M * Math.sin(psi), 0.0);
-      return Plan.underWay(List.of(NavigationPoint.at(vehicle.body(there)).speed(CREEPS_MPS)));
+      Point there = Point.of(TURNS_TO_M * Math.cos(psi), TURNS_TO_M * Math.sin(psi), downM);
+      NavigationPoint turn = NavigationPoint.at(vehicle.body(there)).speed(CREEPS_MPS);
+      return Plan.unless(
+          step.givenUp(), List.of(turn.turn(Leg.wrapped(psi - vehicle.headingRad()))));
     }
     Point to = vehicle.nedOf(target);
     if (Math.hypot(to.x(), to.y()) <= waypoint.horizontalThreshold()) {
@@ -323,10 +331,11 @@ final class WaypointState implements PlannerState {
     last = Optional.of(pursuit.state());
     NavigationPoint point = step.point(vehicle);
     if (reached && waypoint.psi().isPresent()) {
-      return turned(waypoint, vehicle, target, point, downM);
+      return turned(waypoint, vehicle, target, step, downM);
     }
     List<NavigationPoint> points = List.of(point);
-    if (reached && isNearEnough(waypoint, pursuit.state())) {
+    boolean climbs = isClimbing(waypoint, downM, vehicle);
+    if (reached && !climbs && isNearEnough(waypoint, pursuit.state())) {
       avoidance.reached(vehicle, pursuit.state());
       return new Plan(points, Plan.Progress.COMPLETED, "reached, " + passing(waypoint, downM));
     }

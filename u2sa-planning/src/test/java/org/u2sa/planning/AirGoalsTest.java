@@ -328,6 +328,29 @@ class AirGoalsTest extends PlannedVehicle {
     assertThat(Math.abs(aircraft.east)).isLessThan(20.0);
   }
 
+  /** It comes from beyond the position, along the line: far behind the start of the descent. */
+  @Test
+  void landing_outAndBackAlongTheLine_fliesItsFirstApproach() {
+    kit.with("LOITER RADIUS", 800.0);
+    start("AIR");
+    Waypoint landing = new Landing().approach(1000.0).slope(0.05);
+    landing.uid("1").referenceFrame(ReferenceFrame.LOCAL_NED);
+    goals(landing.x(0.0).y(0.0).z(0.0).psi(0.0).horizontalThreshold(30.0));
+    aircraft.north = 1500.0;
+    aircraft.altitude = 55.0;
+    boolean isDown = false;
+    while (kit.nowS() < 600.0 && !isDown && kit.latest(Channels.GOAL_REPORTS).isEmpty()) {
+      kit.publish(Channels.OBJECTS, new ObjectList());
+      kit.publish(Channels.STATE, aircraft.state().z(-aircraft.altitude));
+      aircraft.step(0.1, kit.latest(Channels.NAVIGATION));
+      kit.advance(0.1);
+      isDown = Math.abs(aircraft.north) < 100.0 && aircraft.altitude < 15.0;
+    }
+
+    assertThat(logged("trying again")).isZero();
+    assertThat(isDown).isTrue();
+  }
+
   /** Traffic ahead on the line goes away after a while: one circle later the approach is free. */
   @Test
   void landing_brokenOffOnTheLine_leavesTheLineBeforeItJoinsAgain() {

@@ -351,6 +351,128 @@ class FlightGoalsTest {
   }
 
   @Test
+  void landing_directionChangedOnTheDescent_isFlownInTheNewOne() {
+    plane();
+    ned = Point.of(-800.0, 0.0, -40.0);
+    pursue(new Landing().approach(300.0).slope(0.1).psi(0.0).z(0.0).x(0.0).y(0.0));
+    while (kit.nowS() < 200.0 && ned.z() < -25.0) {
+      step(20.0);
+    }
+    assertThat(velocity.x()).isPositive();
+    pursue(new Landing().approach(300.0).slope(0.1).psi(Math.PI).z(0.0).x(0.0).y(0.0));
+    while (kit.nowS() < 400.0 && ned.z() < -15.0) {
+      step(20.0);
+    }
+    pursue(new Landing().approach(300.0).slope(0.1).psi(0.0).z(0.0).x(0.0).y(0.0)); // too low
+    while (kit.nowS() < 400.0 && ned.z() < -1.0) {
+      step(20.0);
+    }
+
+    assertThat(ned.z()).isGreaterThan(-1.0);
+    assertThat(velocity.x()).isLessThan(-15.0);
+    assertThat(Math.abs(ned.y())).isLessThan(3.0);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"-25, 200", "-12, 0"})
+  void landing_positionMovesOnTheSlope_goesRoundForItOrStaysOnTheRunway(double down, double east) {
+    plane();
+    ned = Point.of(-800.0, 0.0, -40.0);
+    pursue(new Landing().approach(300.0).slope(0.1).psi(0.0).z(0.0).x(0.0).y(0.0));
+    while (kit.nowS() < 200.0 && ned.z() < down) {
+      step(20.0);
+    }
+    pursue(new Landing().approach(300.0).slope(0.1).psi(0.0).z(0.0).x(100.0).y(200.0));
+    double lowestMps = 0.0;
+    while (kit.nowS() < 600.0 && ned.z() < -1.0) {
+      step(20.0);
+      lowestMps = ned.z() > -10.0 ? Math.max(lowestMps, Math.abs(velocity.y())) : lowestMps;
+    }
+
+    assertThat(ned.z()).isGreaterThan(-1.0);
+    assertThat(ned.y()).isCloseTo(east, within(3.0));
+    assertThat(lowestMps).as("turns low").isLessThan(1.0);
+  }
+
+  /** The ground is below the position: control flies on above it. */
+  @Test
+  void landing_aeroplaneFliesOnLowBeyondThePosition_isGivenUpAfterThreeApproaches() {
+    plane();
+    ned = Point.of(-800.0, 0.0, -40.0);
+    velocity = Point.of(20.0, 0.0, 0.0);
+    pursue(new Landing().approach(300.0).slope(0.1).psi(0.0).z(0.0).x(0.0).y(0.0));
+    double farthestM = 0.0;
+    while (kit.nowS() < 900.0 && reports().isEmpty()) {
+      boolean isLow = ned.z() > -10.0;
+      step(20.0);
+      assertThat(isLow && Math.abs(ned.y()) > 20.0).as("turns low").isFalse();
+      ned = Point.of(ned.x(), ned.y(), Math.min(ned.z(), -5.0));
+      farthestM = Math.max(farthestM, ned.x());
+    }
+
+    assertThat(reports().get(0).abandoned()).isTrue();
+    assertThat(reports().get(0).reason().orElseThrow()).contains("flies on beyond the position");
+    assertThat(kit.log("PathPlanner").stream().filter(line -> line.contains("trying again")))
+        .hasSize(2);
+    assertThat(farthestM).isBetween(200.0, 700.0);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"true, 600, true", "true, 1200, false", "false, 5, true", "false, 20, false"})
+  void landing_standsAwayFromThePosition_isCompletedUpToABoundAndStays(
+      boolean isAeroplane, double awayM, boolean isCompleted) {
+    if (isAeroplane) {
+      plane();
+    } else {
+      kit.with("AT END", "HOLD").start(PathPlanner::new);
+    }
+    ned = Point.of(0.0, 0.0, -1.0);
+    pursue(new Landing().z(0.0).x(0.0).y(0.0));
+    step(0.5);
+    for (int i = 0; i < 120 && reports().isEmpty(); i++) {
+      ned = Point.of(awayM, 0.0, 0.0); // blown, or rolled
+      velocity = Point.ORIGIN;
+      step(0.0);
+    }
+
+    assertThat(reports().get(0).completed()).isEqualTo(isCompleted);
+    assertThat(kit.log("PathPlanner"))
+        .anyMatch(line -> line.contains("stands " + awayM + " m from its position"));
+    kit.publish(Channels.GOALS, new GoalList());
+    assertThat(step(0.0).z()).isNotNegative();
+  }
+
+  @ParameterizedTest
+  @CsvSource({"12, 0", "0, -10"})
+  void landing_positionMovesBelowADescent_isFlownToAfterRisingStraightUp(
+      double north, double down) {
+    kit.start(PathPlanner::new);
+    ned = Point.of(0.0, 0.0, -8.0);
+    pursue(new Landing().z(0.0).x(0.0).y(0.0));
+    while (ned.z() < -1.0) {
+      step(2.0);
+    }
+    pursue(new Landing().z(down).x(north).y(0.0));
+    double lowestAwayM = Double.POSITIVE_INFINITY;
+    double highestM = 0.0;
+    while (kit.nowS() < 120.0 && reports().isEmpty()) {
+      step(5.0);
+      boolean isAway = ned.x() > 0.1 && ned.x() < 10.9;
+      lowestAwayM = isAway ? Math.min(lowestAwayM, -ned.z()) : lowestAwayM;
+      highestM = Math.max(highestM, -ned.z());
+      if (ned.z() > down && highestM > -down) {
+        ned = Point.of(ned.x(), ned.y(), down); // the ground
+        velocity = Point.ORIGIN;
+      }
+    }
+
+    assertThat(reports().get(0).completed()).isTrue();
+    assertThat(lowestAwayM).isGreaterThan(2.9);
+    assertThat(highestM).isBetween(3.0 - down, 4.1 - down);
+    assertThat(ned.x()).isCloseTo(north, within(1.1));
+  }
+
+  @Test
   void landing_multirotor_descendsAboveItsPositionAndIsCompletedOnceItStands() {
     kit.start(PathPlanner::new);
     ned = Point.of(30.0, 0.0, -20.0);
@@ -384,6 +506,35 @@ class FlightGoalsTest {
     assertThat(reports()).hasSize(1);
     assertThat(reports().get(0).abandoned()).isTrue();
     assertThat(kit.log("PathPlanner")).anyMatch(line -> line.contains("has tipped over"));
+  }
+
+  @Test
+  void landing_multirotorWithHeading_turnsToItWhileItDescends() {
+    kit.start(PathPlanner::new);
+    ned = Point.of(0.0, 0.0, -12.0);
+    heading = 0.5;
+    pursue(new Landing().psi(2.0).z(0.0).x(0.0).y(0.0));
+    step(5.0);
+    double turn = kit.latest(Channels.NAVIGATION).orElseThrow().turn().orElseThrow();
+    assertThat(turn).isCloseTo(1.5, within(1e-9));
+  }
+
+  @Test
+  void landing_groundFarAboveItsPosition_isGivenUpAndStaysOnTheGround() {
+    kit.with("AT END", "HOLD").start(PathPlanner::new);
+    ned = Point.of(0.0, 0.0, -12.0);
+    pursue(new Landing().z(8.0).x(0.0).y(0.0));
+    while (kit.nowS() < 90.0 && reports().isEmpty()) {
+      step(5.0);
+      if (ned.z() > 0.0) {
+        ned = Point.ORIGIN; // the ground
+        velocity = Point.ORIGIN;
+      }
+    }
+    assertThat(reports().get(0).abandoned()).isTrue();
+    assertThat(reports().get(0).reason().orElseThrow()).contains("stands 8.0 m above its position");
+    kit.publish(Channels.GOALS, new GoalList());
+    assertThat(step(5.0)).isEqualTo(Point.of(0.0, 0.0, 1.0));
   }
 
   /** The landing's position is above the ground: it would be climbed to. */

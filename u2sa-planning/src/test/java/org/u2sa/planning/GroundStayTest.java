@@ -33,6 +33,10 @@ class GroundStayTest {
   }
 
   private static Vehicle vehicle(double upM, double speedMps) {
+    return vehicle(upM, speedMps, 0.0);
+  }
+
+  private static Vehicle vehicle(double upM, double speedMps, double sinkMps) {
     StateInformation state =
         new StateInformation()
             .referenceFrame(ReferenceFrame.LOCAL_NED)
@@ -41,7 +45,7 @@ class GroundStayTest {
             .z(-upM)
             .xDot(speedMps)
             .yDot(0.0)
-            .zDot(0.0)
+            .zDot(sinkMps)
             .phi(0.0)
             .theta(0.0)
             .psi(0.0);
@@ -192,6 +196,27 @@ class GroundStayTest {
     assertThat(climb(waypoint(), 121.0)).isEmpty();
     assertThat(climb(waypoint(), 119.0)).isEmpty(); // a mission may descend below
     assertThat(climb(null, 119.0)).isPresent();
+  }
+
+  @Test
+  void climb_landingIsGivenUpWhileItSinks_straightAheadUntilItSinksNoMore() {
+    Plan givenUp = new Plan(UNDER_WAY.points(), Plan.Progress.ABANDONED, "");
+    watch.see(vehicle(100.0, 0.0));
+    watch.see(vehicle(103.0, 20.0));
+    Vehicle sinking = vehicle(125.0, 20.0, 3.0);
+    for (Optional<GoalInformation> next :
+        List.of(Optional.<GoalInformation>of(waypoint()), Optional.<GoalInformation>empty())) {
+      watch.lead(new Landing().uid("down"), givenUp, 3_000_000L);
+      if (next.isEmpty()) {
+        watch.hold();
+      }
+      assertThat(watch.climb(next, sinking, 60.0)).isPresent();
+      next.ifPresent(to -> watch.lead(to, UNDER_WAY, 4_000_000L));
+      assertThat(watch.climb(next, sinking, 60.0)).isPresent();
+      assertThat(watch.climb(next, vehicle(124.0, 20.0), 60.0)).isEmpty();
+      watch.hold();
+      assertThat(watch.climb(next, sinking, 60.0)).isEmpty(); // it descends, or a gust
+    }
   }
 
   @Test

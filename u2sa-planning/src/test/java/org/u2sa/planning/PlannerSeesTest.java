@@ -383,9 +383,22 @@ class PlannerSeesTest extends PlannedVehicle {
     drive(1, 10, 0, 0);
     assertThat(kit.published(Channels.GOAL_REPORTS)).isEmpty();
     assertThat(point().y()).isNegative(); // to the right: east
+    // for a vehicle that moves in any direction without facing it
+    double turn = kit.latest(Channels.NAVIGATION).orElseThrow().turn().orElseThrow();
+    assertThat(turn).isCloseTo(Math.PI / 2.0, within(1.0e-9));
 
     drive(1, 10, 0, Math.PI / 2.0 - 0.05);
     assertThat(kit.latest(Channels.GOAL_REPORTS).orElseThrow().completed()).isTrue();
+  }
+
+  @Test
+  void state_atWaypointWithHeadingButDoesNotTurn_isGivenUp() {
+    kit.with("PLANNER", "GRID").with("STUCK AFTER", 1.0).start(PathPlanner::new);
+    goals(waypoint("1", 10, 0).psi(Math.PI / 2.0));
+    drive(1, 5, 0, 0);
+    drive(400, 10, 0, 0);
+
+    assertThat(kit.latest(Channels.GOAL_REPORTS).orElseThrow().abandoned()).isTrue();
   }
 
   @Test

@@ -96,6 +96,17 @@ class StationCircleTest extends PlannedVehicle {
     assertThat(last).allMatch(off -> off < 10.0);
   }
 
+  @Test
+  void plan_radiusChangedOnTheCircle_fliesTheNewOne() {
+    start("NONE");
+    goals(station());
+    fly(150.0);
+    goals(station().turns(1.0).radius(500.0));
+
+    assertThat(fly(600.0)).isTrue();
+    assertThat(Math.hypot(aircraft.north - NORTH_M, aircraft.east)).isCloseTo(500.0, within(20.0));
+  }
+
   /** A boat at 1 m/s whose control steers straight at the point ahead. */
   private static final class StraightBoat extends TestVehicle {
     @Override

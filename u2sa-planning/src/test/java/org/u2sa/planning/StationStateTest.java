@@ -167,4 +167,16 @@ class StationStateTest {
 
     assertThat(reports()).isNotEmpty();
   }
+
+  @Test
+  void turns_vehicleThatDoesNotCircle_isGivenUpWithTheReason() {
+    pursue(new Station().turns(1.0).radius(15.0));
+    kit.advance(0.1);
+    kit.publish(
+        Channels.STATE,
+        new StateInformation().referenceFrame(ReferenceFrame.LOCAL_NED).x(0.0).y(0.0).psi(0.0));
+
+    assertThat(reports().get(0).abandoned()).isTrue();
+    assertThat(reports().get(0).reason().orElseThrow()).contains("turns need a LOITER RADIUS");
+  }
 }

@@ -7,6 +7,7 @@ import org.u2sa.control.Transfer;
 final class AirbornePhases {
   private static final double NEAR_GROUND_M = 10.0;
   private static final double HEIGHT_FIRST_BELOW = 0.5; // fraction of the safe height
+  private static final double LEADS_UP_M = 10.0; // navigation, as when it goes round
 
   private final AutopilotVariables tuning;
   private final GuidanceVariables guidance;
@@ -83,6 +84,12 @@ final class AirbornePhases {
               / state.trueOverCalibrated();
       holdAltitudeM = altitudeDemandM;
     }
+    boolean leadsUpLow =
+        altitudeDemandM > state.altitudeM() + LEADS_UP_M
+            && state.heightM() < HEIGHT_FIRST_BELOW * tuning.takeOff().safeHeight();
+    if (leadsUpLow) {
+      energy.levelOff();
+    }
     launch.see(state, guidance.leastSpeedMps(0.0), altitudeDemandM);
     if (launch.isUnderWay()) {
       energy.levelOff();
@@ -95,7 +102,7 @@ final class AirbornePhases {
         state,
         bank,
         launch.bankLimitRad(Math.toRadians(guidance.bankLimit())),
-        launch.isUnderWay() ? EnergyLaw.Priority.HEIGHT : EnergyLaw.Priority.BOTH,
+        leadsUpLow || launch.isUnderWay() ? EnergyLaw.Priority.HEIGHT : EnergyLaw.Priority.BOTH,
         Math.toRadians(guidance.pitchLowerLimit()),
         dtS);
   }

@@ -6,7 +6,7 @@ import org.u2sa.control.Transfer;
 
 /**
  * Refuses to land in more crosswind than configured. After a refusal the aircraft stays airborne
- * until navigation leads up again: a new approach needs a decision.
+ * until navigation leads up again, to where an approach begins: a new one needs a decision.
  */
 final class LandingRefusal {
   /** Navigation below this height above ground means landing: no mission cruises this low [m]. */
@@ -14,6 +14,8 @@ final class LandingRefusal {
 
   /** The wind is evaluated once navigation leads below this, where a climb is still easy [m]. */
   private static final double JUDGED_BELOW_M = 40.0;
+
+  private static final double LEADS_UP_M = JUDGED_BELOW_M + 2.0; // hysteresis
 
   /** Closer to the flare, a descent cannot become a climb before touchdown [m]. */
   private static final double COMMITTED_ABOVE_FLARE_M = 6.0;
@@ -49,7 +51,7 @@ final class LandingRefusal {
     }
     double ledToM = target.get().altitudeM() - (state.altitudeM() - state.heightM());
     if (refused) {
-      refused = ledToM < safeHeightM;
+      refused = ledToM < Math.min(safeHeightM, LEADS_UP_M);
     } else if (ledToM < JUDGED_BELOW_M
         && state.heightM() > committedHeightM + pullUpM(state)
         && approach.isKnown()) {

@@ -14,11 +14,13 @@ import javax.net.ssl.SSLException;
 import org.u2sa.core.communication.access.LocalAccount;
 import org.u2sa.core.communication.access.ProcessAccount;
 import org.u2sa.core.communication.access.Users;
+import org.u2sa.core.security.AccessRole;
 import org.u2sa.core.security.SecurityDirectory;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.mqtt.BrokerAccess;
+import org.u2sa.interfaces.mqtt.LocalToken;
 
 /** Security of the embedded broker: users and encryption, or listening on this host only. */
 final class BrokerSecurity {
@@ -42,6 +44,7 @@ final class BrokerSecurity {
   private final SecurityDirectory directory; // null without users and encryption
   private final SslContext tls; // null likewise
   private final ProcessAccount own; // null grants everyone full access
+  private volatile Users users; // of the directory and the present broker
 
   BrokerSecurity(SecurityDirectory directory, SslContext tls) {
     this(directory, tls, null);
@@ -137,9 +140,14 @@ final class BrokerSecurity {
     return directory != null;
   }
 
-  /** Whether every client has full access. */
-  boolean isOpen() {
-    return own == null;
+  /** Whether a user may command, as far as known in memory; an empty name is anonymous. */
+  boolean isOperator(String user) {
+    return directory == null
+        ? own == null || user.equals(LocalToken.USER)
+        : users
+            .named(user)
+            .filter(known -> known.roles().contains(AccessRole.OPERATOR))
+            .isPresent();
   }
 
   /** The users' folder; empty if there are no users with passwords. */
@@ -152,7 +160,13 @@ final class BrokerSecurity {
     return tls == null ? null : new Encryption(tls);
   }
 
-  /** The known users; null if anyone may connect without a password. */
+  /** Access of a client without a name. */
+  BrokerAccess anonymous() {
+    return BrokerAccess.of(
+        "", "", false, directory == null ? "" : directory.authority().toString());
+  }
+
+  /** The known users, read again; null if anyone may connect without a password. */
   Users users(Consumer<String> log) {
     if (account != null) {
       return new Users(account);
@@ -160,7 +174,7 @@ final class BrokerSecurity {
     if (directory == null) {
       return null;
     }
-    Users users = new Users(directory.users(), log);
+    users = new Users(directory.users(), log);
     users.add(own.user());
     return users;
   }

@@ -158,9 +158,10 @@ public final class CommunicationManager implements AutoCloseable {
               "rosbridge",
               new ClientBridge.Setting(
                   new InetSocketAddress(manager.bindAddress(), manager.rosbridgePort()),
-                  new MqttTransport(reached, bound.getPort(), systemId, codec).ofTool(),
+                  new MqttTransport(reached, bound.getPort(), systemId, codec, security.anonymous())
+                      .ofTool(),
                   security.directory(),
-                  security.isOpen(),
+                  security::isOperator,
                   log));
     } catch (RuntimeException | Error e) {
       close();

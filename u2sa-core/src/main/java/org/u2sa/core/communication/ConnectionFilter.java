@@ -231,7 +231,7 @@ final class ConnectionFilter implements AutoCloseable {
 
   /** Housekeeping, to be called about once a second. */
   void tidy() {
-    broker.users().ifPresent(Users::refresh);
+    broker.users().ifPresent(Users::refreshLater);
   }
 
   @Override

@@ -30,14 +30,14 @@ final class ActuationWatch implements Watch {
     private long obeyed;
     private long refused;
     private long refusedBefore; // count when it began to refuse all commands
-    private long sinceMicros = Clock.NEVER; // when it began to do so; NEVER if it obeys
+    private long sinceMicros = Clock.NEVER; // when it began to do so; NEVER if it obeys or may not
     private long refusedMicros; // time of the last refusal
     private long heardMicros;
   }
 
   private final Supplier<SafetyVariables> settings;
   private final Map<String, Heard> services = new TreeMap<>();
-  private boolean armed;
+  private boolean armed; // as published, which through a broker is heard later than decided
 
   ActuationWatch(Supplier<SafetyVariables> settings) {
     this.settings = settings;
@@ -51,10 +51,10 @@ final class ActuationWatch implements Watch {
   @Override
   public void see(U2SAData message, long nowMicros) {
     if (message instanceof ArmingState state) {
-      if (state.armed() && !armed) {
+      armed = state.armed();
+      if (!armed) {
         services.values().forEach(service -> service.sinceMicros = Clock.NEVER);
       }
-      armed = state.armed();
     } else if (message instanceof HealthReport report
         && report.commandsObeyed().isPresent()
         && counts(report.serviceName())) {
@@ -78,7 +78,7 @@ final class ActuationWatch implements Watch {
     long obeyed = report.commandsObeyed().getAsLong();
     long refused = report.commandsRefused().orElse(0L);
     boolean restarted = !instance.equals(service.instance) || refused < service.refused;
-    if (restarted || obeyed != service.obeyed) {
+    if (!armed || restarted || obeyed != service.obeyed) {
       service.sinceMicros = Clock.NEVER;
     } else if (refused > service.refused) {
       if (service.sinceMicros == Clock.NEVER) {

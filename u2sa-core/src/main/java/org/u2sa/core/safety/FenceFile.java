@@ -4,17 +4,20 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.configuration.LoadedFile;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.disk.LoadedFile;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.xml.XmlText;
 
 /** The file named by the variable FENCE; detects changes since loading. */
 final class FenceFile {
   private final XmlConfiguration configuration;
-  private Optional<LoadedFile> loaded = Optional.empty();
+  private final Clock clock;
+  private Optional<LoadedFile<GivenFence>> loaded = Optional.empty();
 
-  FenceFile(XmlConfiguration configuration) {
+  FenceFile(XmlConfiguration configuration, Clock clock) {
     this.configuration = configuration;
+    this.clock = clock;
   }
 
   /**
@@ -25,15 +28,12 @@ final class FenceFile {
   Optional<GivenFence> load(SafetyVariables settings) {
     String path = settings.fence();
     double marginM = settings.fenceMargin();
-    if (path.isEmpty()) {
-      loaded = Optional.empty();
-      return Optional.empty();
-    }
-    Path file = configuration.resolve(path);
-    LoadedFile watched = new LoadedFile(file, each -> read(each, marginM));
-    GivenFence fence = read(file, marginM);
-    loaded = Optional.of(watched);
-    return Optional.of(fence);
+    loaded =
+        path.isEmpty()
+            ? Optional.empty()
+            : Optional.of(
+                new LoadedFile<>(configuration.resolve(path), each -> read(each, marginM), clock));
+    return loaded.map(LoadedFile::content);
   }
 
   /** {@link #load} without watching the file. */
@@ -41,7 +41,9 @@ final class FenceFile {
     String path = settings.fence();
     return path.isEmpty()
         ? Optional.empty()
-        : Optional.of(read(configuration.resolve(path), settings.fenceMargin()));
+        : Optional.of(
+            LoadedFile.read(
+                configuration.resolve(path), each -> read(each, settings.fenceMargin()), clock));
   }
 
   /** Stops watching the file, because another fence is in force. */

@@ -72,7 +72,8 @@ public final class SafetyManager extends PeriodicService {
     super(context, ServiceRole.SAFETY_MANAGER, "SafetyManager", CHECKS_PER_S, SLOWEST_HZ);
     emergency = new EmergencyLatch(clock(), context.systemId());
     PositionWatch position = new PositionWatch(settings);
-    fenceWatch = new FenceWatch(this, settings, new FenceFile(context.configuration()), position);
+    FenceFile fence = new FenceFile(context.configuration(), clock());
+    fenceWatch = new FenceWatch(this, settings, fence, position);
     fenceOrders = new FenceOrders(fenceWatch);
     List<ExtensionWatch> extensions = ExtensionWatch.discovered(this);
     watches = new ArrayList<>(Watches.standard(settings, conditions, named, position));

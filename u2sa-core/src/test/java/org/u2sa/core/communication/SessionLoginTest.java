@@ -16,6 +16,9 @@ import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.core.communication.access.Users;
 import org.u2sa.core.communication.routing.Publication;
@@ -39,7 +42,11 @@ class SessionLoginTest {
   @BeforeEach
   void connect() {
     file = folder.resolve("users.txt");
-    write(AccessRole.OPERATOR);
+    connect(1_000);
+  }
+
+  private void connect(int iterations) {
+    write(AccessRole.OPERATOR, iterations);
     client = new PacketPipeline(Map.of(), new Users(file, line -> {}));
   }
 
@@ -50,7 +57,11 @@ class SessionLoginTest {
   }
 
   private void write(AccessRole role) {
-    PasswordHash hash = PasswordHash.of(PASSWORD.toCharArray(), new SecureRandom(), 1_000);
+    write(role, 1_000);
+  }
+
+  private void write(AccessRole role, int iterations) {
+    PasswordHash hash = PasswordHash.of(PASSWORD.toCharArray(), new SecureRandom(), iterations);
     UserFile.write(file, List.of(new User("ann", EnumSet.of(role), List.of("cessna"), hash)));
   }
 
@@ -143,6 +154,8 @@ class SessionLoginTest {
 
   @Test
   void connect_goneBeforeTheAnswer_isNeitherAdmittedNorLogged() {
+    close();
+    connect(300_000); // slower than the client goes
     client.send(MqttPacketBytes.connectAs("ann", PASSWORD, "hers"));
     client.channel.close();
     PacketPipeline next = new PacketPipeline(client);
@@ -169,11 +182,31 @@ class SessionLoginTest {
     write(AccessRole.OBSERVER);
     Files.setLastModifiedTime(file, FileTime.fromMillis(1_000));
     client.filter.tidy();
-    client.passSeconds(1);
+    until(
+        client,
+        () -> {
+          client.passSeconds(1);
+          return !client.channel.isOpen();
+        });
 
-    assertThat(client.channel.isOpen()).isFalse();
     assertThat(client.log)
         .anyMatch(line -> line.startsWith("client disconnected, its user was changed or removed:"));
+  }
+
+  /** A pipe that nobody writes to keeps its reader waiting. */
+  @Test
+  @Timeout(120)
+  @EnabledOnOs(OS.LINUX)
+  void look_diskHangs_doesNotWaitAndKnownUsersLogIn() throws Exception {
+    Files.delete(file);
+    assertThat(new ProcessBuilder("mkfifo", "-m", "600", file.toString()).start().waitFor())
+        .isZero();
+    client.filter.tidy();
+    client.filter.tidy();
+    logIn();
+
+    assertThat(client.channel.isOpen()).isTrue();
+    Files.newOutputStream(file).close(); // waits for the reader, and lets it go on
   }
 
   @Test

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.safety.ArmingState;
@@ -59,7 +60,8 @@ class FenceWatchTest {
     XmlConfiguration configuration = XmlConfiguration.inMemory("test", variables);
     Supplier<SafetyVariables> settings = configuration.settings(SafetyVariables.class);
     states = new PositionWatch(settings);
-    return new FenceWatch(configuration, settings, new FenceFile(configuration), states);
+    return new FenceWatch(
+        configuration, settings, new FenceFile(configuration, new LockstepClock()), states);
   }
 
   /** A state between floor and ceiling. */

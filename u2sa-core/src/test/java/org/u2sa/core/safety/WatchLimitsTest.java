@@ -220,7 +220,9 @@ class WatchLimitsTest {
   }
 
   private static ActuationWatch actuation() {
-    return new ActuationWatch(with(Map.of("REFUSAL TIME", 2.0)));
+    ActuationWatch watch = new ActuationWatch(with(Map.of("REFUSAL TIME", 2.0)));
+    watch.see(new ArmingState().armed(true), 0);
+    return watch;
   }
 
   @Test
@@ -293,14 +295,18 @@ class WatchLimitsTest {
     assertThat(watch.trouble(3 * SECOND)).isEmpty();
   }
 
+  /** Asked as soon as the Safety Manager arms, which a broker tells the watch only later. */
   @Test
   void actuation_armedWhileRefusing_countsFromArmingOn() {
     ActuationWatch watch = actuation();
+    watch.see(new ArmingState().armed(false), 0);
     watch.see(motor(10, 0), 0);
     watch.see(motor(10, 1), SECOND);
-    watch.see(new ArmingState().armed(true), 2 * SECOND);
+    watch.see(motor(10, 2), 2 * SECOND);
+    assertThat(watch.trouble(3 * SECOND)).as("not yet heard that it is armed").isEmpty();
+    watch.see(new ArmingState().armed(true), 3 * SECOND);
     assertThat(watch.trouble(3 * SECOND)).isEmpty();
-    watch.see(motor(10, 2), 3 * SECOND);
+    watch.see(motor(10, 3), 3 * SECOND);
     watch.see(new ArmingState().armed(true), 4 * SECOND); // said once more, which changes nothing
 
     assertThat(watch.trouble(5 * SECOND)).contains("Motor refuses all commands, 1 in 2.0 s");

@@ -8,7 +8,7 @@ import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.log.DiskWriter;
+import org.u2sa.interfaces.disk.DiskThread;
 import org.u2sa.interfaces.time.Clock;
 
 /**
@@ -16,7 +16,7 @@ import org.u2sa.interfaces.time.Clock;
  * the start, then {@code <} with received bytes, {@code >} with sent bytes, {@code +} for
  * connected, {@code -} for lost; bytes in hexadecimal.
  *
- * <p>In real time the {@link DiskWriter} writes, because the device must not wait for a hanging
+ * <p>In real time the {@link DiskThread} writes, because the device must not wait for a hanging
  * disk; a recording that would have gaps is ended.
  */
 final class RecordingLink implements ByteLink {
@@ -120,7 +120,7 @@ final class RecordingLink implements ByteLink {
     if (clock.isSimulated()) {
       writeWaiting();
     } else {
-      DiskWriter.ofProcess().execute(this::writeWaiting);
+      DiskThread.ofProcess().execute(this::writeWaiting);
     }
   }
 
@@ -189,7 +189,7 @@ final class RecordingLink implements ByteLink {
       if (clock.isSimulated()) {
         out.close();
       } else {
-        DiskWriter.ofProcess().call(this::closeFile, CLOSES_WITHIN_MS);
+        DiskThread.ofProcess().call(this::closeFile, CLOSES_WITHIN_MS);
       }
     } catch (IOException e) {
       fail(e.getMessage());

@@ -9,7 +9,7 @@ import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.log.DiskWriter;
+import org.u2sa.interfaces.disk.DiskThread;
 import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.interfaces.time.SystemClock;
 
@@ -68,7 +68,7 @@ class RecordingLinkTest extends ByteLinkContract {
   void recording_diskHangs_deviceDoesNotWaitAndItIsWrittenLater() throws Exception {
     Path file = folder.resolve("own.rec");
     CountDownLatch answers = new CountDownLatch(1);
-    DiskWriter.ofProcess().execute(() -> awaitAnswer(answers));
+    DiskThread.ofProcess().execute(() -> awaitAnswer(answers));
     MemoryLink memory = new MemoryLink();
     try (RecordingLink recorded = new RecordingLink(memory, file, new SystemClock())) {
       assertThat(recorded.write(new byte[] {0x01})).isTrue();
@@ -88,7 +88,7 @@ class RecordingLinkTest extends ByteLinkContract {
   void recording_diskHangsForLong_endsAndSaysWhy() {
     Path file = folder.resolve("own.rec");
     CountDownLatch answers = new CountDownLatch(1);
-    DiskWriter.ofProcess().execute(() -> awaitAnswer(answers));
+    DiskThread.ofProcess().execute(() -> awaitAnswer(answers));
     try (RecordingLink recorded = new RecordingLink(new MemoryLink(), file, new SystemClock())) {
       recorded.write(new byte[400_000]);
       assertThat(recorded.trouble()).isEmpty();

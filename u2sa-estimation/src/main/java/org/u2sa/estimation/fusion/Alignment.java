@@ -21,6 +21,9 @@ final class Alignment {
     s.isolate(FilterState.ATTITUDE + 2, square(Math.PI / Math.sqrt(3.0)));
     s.isolate(FilterState.RATE + 2, square(tuning.turnSigma()));
     wheelScale(s, tuning);
+    for (int i = 0; i < 2; i++) {
+      s.isolate(FilterState.SPEED_BIAS + i, square(tuning.speedBiasSigma()));
+    }
   }
 
   /** Resets the wheel-speed scale to its initial uncertainty. */

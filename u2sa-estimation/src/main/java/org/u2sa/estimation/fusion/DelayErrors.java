@@ -41,7 +41,7 @@ final class DelayErrors {
    *     taken
    */
   int slot(FilterState s, SensedQuantity quantity, int source) {
-    if (sigmaS <= 0.0 || !SpeedDoubt.isOfPosition(quantity)) {
+    if (sigmaS <= 0.0 || !quantity.isPlace()) {
       return NONE;
     }
     for (int slot = 0; slot < FilterState.DELAY_SLOTS; slot++) {

@@ -11,8 +11,8 @@ import java.util.function.Function;
  * covariance is stored. Source statistics are not stored but learned again.
  */
 public final class FilterMemory {
-  private static final String NOMINAL = "FILTER NOMINAL 3";
-  private static final String COVARIANCE = "FILTER COVARIANCE 4";
+  private static final String NOMINAL = "FILTER NOMINAL 4";
+  private static final String COVARIANCE = "FILTER COVARIANCE 5";
   private static final String FLAGS = "FILTER FLAGS 3";
 
   private static final String PERSISTENT = "FILTER PERSISTENT ERRORS OF ";

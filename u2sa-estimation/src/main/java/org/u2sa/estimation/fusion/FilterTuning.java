@@ -16,6 +16,8 @@ package org.u2sa.estimation.fusion;
  * @param forceBiasNoise its random walk [m/s² per √s]
  * @param flowSigma initial wind or current, 1 σ per component [m/s]
  * @param wheelScaleSigma initial error of the wheel-speed scale, 1 σ; 0: not estimated
+ * @param speedBiasSigma constant error of speeds over ground measured along the vehicle, 1 σ per
+ *     component [m/s]; 0: not estimated
  * @param gate number of standard deviations beyond which a measurement is gated
  * @param window number of measurements over which a source's actual standard deviation is learned
  * @param positionCorrelationS correlation time of position errors [s]; 0: independent errors
@@ -39,6 +41,7 @@ public record FilterTuning(
     double forceBiasNoise,
     double flowSigma,
     double wheelScaleSigma,
+    double speedBiasSigma,
     double gate,
     int window,
     double positionCorrelationS,
@@ -68,6 +71,7 @@ public record FilterTuning(
         1e-3,
         5.0,
         isGround ? 0.03 : 0.0,
+        domain == MotionDomain.UNDERWATER ? 0.002 : 0.0,
         4.0,
         100,
         30.0,

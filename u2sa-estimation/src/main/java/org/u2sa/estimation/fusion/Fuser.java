@@ -127,7 +127,7 @@ final class Fuser {
     if (starts.begin(s, m, quantity, at, slot)) {
       DelayErrors.share(s, delay);
       count(s, at, SourceTrust.USED);
-      used(s, quantity);
+      used(s, m, quantity);
       return;
     }
     boolean isReadable = quantity != SensedQuantity.FLUID_VELOCITY || isReadable(m);
@@ -152,7 +152,7 @@ final class Fuser {
     if (quantity == SensedQuantity.LOCAL_PLACE || quantity == SensedQuantity.LOCAL_DOWN) {
       QuantityStart.shift(s, linear, quantity, at);
     }
-    if (SpeedDoubt.isOfPosition(quantity)) {
+    if (quantity.isPlace()) {
       searchHeading(s, source);
     }
     PersistentErrors.look(s, m, quantity, linear, slot);
@@ -184,14 +184,14 @@ final class Fuser {
       boolean isAlone = !judge.isCorroborated(s, source, quantity);
       boolean isJump = false;
       double wanderRate = persistent.wanderRate(s, slot);
-      boolean isPosition = SpeedDoubt.isOfPosition(quantity);
+      boolean isPosition = quantity.isPlace();
       if (isAlone && (isPosition || SpeedDoubt.isOfSpeed(quantity))) {
         supposeAcceleration(s, source);
       }
       if (isPosition && scatter.isBeyondClaim(s, linear, at, isAlone)) {
         return;
       }
-      if (isPosition && isAlone && doubts.isRaised(s, linear, source, at, wanderRate)) {
+      if (isPosition && isAlone && doubts.isRaised(s, m, linear, source, at, wanderRate)) {
         mustGiveWay = true;
       } else if (mustGiveWay) {
         QuantityStart.doubt(s, quantity, at);
@@ -210,7 +210,7 @@ final class Fuser {
       if (isInput) {
         motion.take(s, m, source, quantity, linear, factor);
         count(s, at, SourceTrust.USED);
-        used(s, quantity);
+        used(s, m, quantity);
       } else {
         correct(s, m, source, quantity, at, slot);
       }
@@ -280,7 +280,7 @@ final class Fuser {
     }
     update.apply(s, linear);
     count(s, at, SourceTrust.USED);
-    used(s, quantity);
+    used(s, m, quantity);
   }
 
   /**
@@ -307,8 +307,13 @@ final class Fuser {
         : tuning.positionCorrelationS();
   }
 
-  private static void used(FilterState s, SensedQuantity quantity) {
+  private static void used(FilterState s, Measurement m, SensedQuantity quantity) {
     long now = Math.max(1L, s.micros); // 0 means never, but simulated time begins there
+    boolean isAlongTheVehicle =
+        quantity == SensedQuantity.BODY_VELOCITY || quantity == SensedQuantity.FLUID_VELOCITY;
+    if (isAlongTheVehicle && m.has(quantity, 1)) {
+      s.acrossMicros = now;
+    }
     switch (quantity) {
       case PLACE:
       case LOCAL_PLACE:
@@ -363,7 +368,9 @@ final class Fuser {
       return;
     }
     boolean isGround = tuning.domain() == MotionDomain.GROUND;
-    boolean isInFlow = s.hasFlow && (s.micros - s.fluidMicros) / MICROS < FLUID_FRESH_S;
+    boolean isDriftMeasured = (s.micros - s.acrossMicros) / MICROS < FLUID_FRESH_S;
+    boolean isInFlow =
+        s.hasFlow && !isDriftMeasured && (s.micros - s.fluidMicros) / MICROS < FLUID_FRESH_S;
     // Without a speed source, the constraint with an uncertain heading would act as a speed
     // measurement.
     if (isGround && InertialInput.isAided(s, SPEED_FRESH_S) || isInFlow) {

@@ -1,5 +1,7 @@
 package org.u2sa.estimation.fusion;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.u2sa.estimation.measurement.SensedQuantity;
 
 /**
@@ -55,7 +57,7 @@ final class InertialContradiction {
   }
 
   static boolean isOfMotion(SensedQuantity quantity) {
-    return SpeedDoubt.isOfPosition(quantity) || SpeedDoubt.isOfSpeed(quantity);
+    return quantity.isPlace() || SpeedDoubt.isOfSpeed(quantity);
   }
 
   /**
@@ -80,14 +82,28 @@ final class InertialContradiction {
     }
   }
 
-  /** Admits the positions that contradict the estimate, and ends all contradictions. */
+  /**
+   * Admits the positions that contradict the estimate, and ends all contradictions. Speeds that did
+   * not contradict it, such as those of an encoder with a wrong scale, are doubted.
+   */
   void admit(FilterState s) {
+    List<Integer> doubted = new ArrayList<>();
+    for (int source = 0; source < trust.sources(); source++) {
+      for (int q = 0; q < SensedQuantity.count() && !contradicts(s, source); q++) {
+        SensedQuantity quantity = SensedQuantity.at(q);
+        if (SpeedDoubt.isOfSpeed(quantity) && trust.isKnown(source, quantity)) {
+          int at = trust.of(s, source, quantity);
+          boolean isUsed = s.micros - s.trust[at + SourceTrust.LAST_USED] < SINCE_S * 1e6;
+          doubted.addAll(isUsed ? List.of(at) : List.of());
+        }
+      }
+    }
     for (int source = 0; source < trust.sources(); source++) {
       for (int q = 0; q < SensedQuantity.count(); q++) {
         SensedQuantity quantity = SensedQuantity.at(q);
         if (isOfMotion(quantity) && trust.isKnown(source, quantity)) {
           int at = trust.of(s, source, quantity);
-          for (int i = 0; i < 2 && SpeedDoubt.isOfPosition(quantity); i++) {
+          for (int i = 0; i < 2 && quantity.isPlace(); i++) {
             double apart = s.trust[at + SourceTrust.STREAK_NEWEST + i];
             s.p.data[(FilterState.POSITION + i) * (FilterState.N + 1)] +=
                 s.trust[at + SourceTrust.STREAK] > 0.0 ? apart * apart : 0.0;
@@ -97,6 +113,8 @@ final class InertialContradiction {
         }
       }
     }
+    double mps = Math.hypot(s.x[FilterState.V], s.x[FilterState.V + 1]);
+    doubted.forEach(at -> SpeedDoubt.accuse(s, at, mps));
     s.slidingMicros = 0;
     s.resets++;
   }

@@ -212,6 +212,8 @@ final class KalmanUpdate {
     x[FilterState.FLOW_NORTH] += dx[FilterState.FLOW];
     x[FilterState.FLOW_NORTH + 1] += dx[FilterState.FLOW + 1];
     x[FilterState.WHEEL_SCALE] += dx[FilterState.SCALE];
+    x[FilterState.SPEED_ERROR] += dx[FilterState.SPEED_BIAS];
+    x[FilterState.SPEED_ERROR + 1] += dx[FilterState.SPEED_BIAS + 1];
     for (int i = 0; i < FilterState.PERSISTENT_STATES; i++) {
       x[FilterState.PERSISTENT_ERRORS + i] += dx[FilterState.PERSISTENT + i];
     }

@@ -65,14 +65,14 @@ final class QuantityStart {
     double since = (s.micros - t[at + SourceTrust.RESET_MICROS]) * 1e-6;
     boolean isAgain = t[at + SourceTrust.RESET_MICROS] > 0.0 && since < AGAIN_S;
     t[at + SourceTrust.RESET_MICROS] = s.micros;
-    boolean isOfMotion = SpeedDoubt.isOfPosition(quantity) || SpeedDoubt.isOfSpeed(quantity);
+    boolean isOfMotion = quantity.isPlace() || SpeedDoubt.isOfSpeed(quantity);
     if (!isAgain || !isOfMotion) {
       return;
     }
     if (SpeedDoubt.isHeadingGuessed(s)) {
       s.hasHeading = false;
       s.isolate(FilterState.ATTITUDE + 2, Math.PI * Math.PI / 3.0);
-    } else if (SpeedDoubt.isOfPosition(quantity) && s.hasSpeedInput()) {
+    } else if (quantity.isPlace() && s.hasSpeedInput()) {
       double factor = SourceTrust.factor(s, at);
       t[at + SourceTrust.DISTRUST] = Math.min(MAX_DISTRUST, DISTRUST_STEP * factor);
     }

@@ -21,7 +21,7 @@ final class SourceTrust {
   static final int LAST_MICROS = 0;
   static final int INTERVAL = 1; // s, running mean
   static final int MESSAGES = 2;
-  static final int RUN = 3; // consecutive messages with unchanged values
+  static final int RUN = 3; // consecutive messages that repeat the values before
   static final int IS_FROZEN = 4;
   static final int INERTIAL = 5; // number of rates and forces measured: 0, 3 or 6
   static final int KEPT = 6; // its newest values
@@ -139,7 +139,7 @@ final class SourceTrust {
       t[at + INTERVAL] += MEAN_SHARE * (interval - t[at + INTERVAL]);
     }
     t[at + LAST_MICROS] = m.micros();
-    boolean isSame = t[at + MESSAGES] > 0.0 && m.hasValuesOf(t, at + KEPT);
+    boolean isSame = t[at + MESSAGES] > 0.0 && m.repeats(t, at + KEPT);
     t[at + MESSAGES]++;
     t[at + RUN] = isSame ? t[at + RUN] + 1.0 : 0.0;
     if (!isSame) {

@@ -1,5 +1,8 @@
 package org.u2sa.estimation.fusion;
 
+import java.util.ArrayList;
+import java.util.List;
+import org.u2sa.estimation.measurement.Measurement;
 import org.u2sa.estimation.measurement.SensedQuantity;
 
 /**
@@ -28,10 +31,6 @@ final class SpeedDoubt {
     this.trust = trust;
   }
 
-  static boolean isOfPosition(SensedQuantity quantity) {
-    return quantity == SensedQuantity.PLACE || quantity == SensedQuantity.LOCAL_PLACE;
-  }
-
   static boolean isOfSpeed(SensedQuantity quantity) {
     return quantity == SensedQuantity.VELOCITY || quantity == SensedQuantity.BODY_VELOCITY;
   }
@@ -48,7 +47,8 @@ final class SpeedDoubt {
    * @param wanderRate process noise of its error, per axis [m²/s]
    * @return whether speed or heading are now considered wrong
    */
-  boolean isRaised(FilterState s, Linearization model, int source, int at, double wanderRate) {
+  boolean isRaised(
+      FilterState s, Measurement m, Linearization model, int source, int at, double wanderRate) {
     double[] t = s.trust;
     double seconds = (s.micros - t[at + SourceTrust.STREAK_SINCE]) * 1e-6;
     if (model.rows != 2 || t[at + SourceTrust.STREAK] < 3.0 || seconds < SHORTEST_S) {
@@ -69,6 +69,10 @@ final class SpeedDoubt {
     if (isJump || drift < least || drift < UNLIKELY * sigma) {
       return false;
     }
+    if (hasAgreeingVelocity(s, m, drift) && !speeds(s, source).isEmpty()) {
+      t[at + SourceTrust.STREAK] = 0.0; // a position that drifts must not become the estimate's
+      return false;
+    }
     if (isOtherWay(s, vn, ve)) {
       head(s, vn, ve, sigma);
     } else if (!doubt(s, source, drift)) {
@@ -78,6 +82,20 @@ final class SpeedDoubt {
     Alignment.velocity(s, 0, vn, sigma * sigma + least * least);
     Alignment.velocity(s, 1, ve, sigma * sigma + least * least);
     return true;
+  }
+
+  /**
+   * Whether the velocity that came with the position agrees with the estimate, as another speed
+   * does: then the position is wrong, such as that of a receiver that holds it at low speed.
+   */
+  private static boolean hasAgreeingVelocity(FilterState s, Measurement m, double drift) {
+    SensedQuantity velocity = SensedQuantity.VELOCITY;
+    return m.has(velocity, 0)
+        && m.has(velocity, 1)
+        && Math.hypot(
+                m.value(velocity, 0) - s.x[FilterState.V],
+                m.value(velocity, 1) - s.x[FilterState.V + 1])
+            < MIN_SHARE * drift;
   }
 
   /** Whether the wheel speed matches that velocity, so that only a guessed heading can be wrong. */
@@ -94,24 +112,35 @@ final class SpeedDoubt {
   }
 
   private boolean doubt(FilterState s, int accuser, double drift) {
-    boolean isAny = false;
+    List<Integer> speeds = speeds(s, accuser);
+    speeds.forEach(at -> accuse(s, at, drift));
+    return !speeds.isEmpty();
+  }
+
+  /** Begins the doubt about a speed, which differs by so much from others. */
+  static void accuse(FilterState s, int at, double mps) {
+    s.trust[at + SourceTrust.DOUBT_MPS] = mps;
+    s.trust[at + SourceTrust.IS_BIASED] = 1.0;
+    for (int i = 0; i < 3; i++) {
+      s.trust[at + SourceTrust.DOUBT_MEAN + i] = Double.NaN; // none yet
+    }
+  }
+
+  /** Offsets of the speeds of other sources that were used lately. */
+  private List<Integer> speeds(FilterState s, int accuser) {
+    List<Integer> found = new ArrayList<>();
     for (int source = 0; source < trust.sources(); source++) {
       for (SensedQuantity each :
           new SensedQuantity[] {SensedQuantity.VELOCITY, SensedQuantity.BODY_VELOCITY}) {
         if (source != accuser && trust.isKnown(source, each)) {
           int at = trust.of(s, source, each);
           if ((s.micros - s.trust[at + SourceTrust.LAST_USED]) * 1e-6 < LATELY_S) {
-            isAny = true;
-            s.trust[at + SourceTrust.DOUBT_MPS] = drift;
-            s.trust[at + SourceTrust.IS_BIASED] = 1.0;
-            for (int i = 0; i < 3; i++) {
-              s.trust[at + SourceTrust.DOUBT_MEAN + i] = Double.NaN; // none yet
-            }
+            found.add(at);
           }
         }
       }
     }
-    return isAny;
+    return found;
   }
 
   /**

@@ -202,10 +202,15 @@ public final class Measurement {
     return sigmas[quantity.ordinal() * WIDTH + component];
   }
 
-  /** Whether all values equal those saved in an array. */
-  public boolean hasValuesOf(double[] kept, int from) {
+  /**
+   * Whether the values saved in an array are repeated: the horizontal position if there is one,
+   * otherwise all. A receiver that holds its position may still report new altitudes.
+   */
+  public boolean repeats(double[] kept, int from) {
+    boolean isPlaced = has(SensedQuantity.PLACE) || has(SensedQuantity.LOCAL_PLACE);
     for (int i = 0; i < values.length; i++) {
-      if (values[i] != kept[from + i]) {
+      boolean counts = !isPlaced || SensedQuantity.at(i / WIDTH).isPlace();
+      if (counts && values[i] != kept[from + i]) {
         return false;
       }
     }

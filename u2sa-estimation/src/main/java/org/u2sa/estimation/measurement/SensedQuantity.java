@@ -57,6 +57,11 @@ public enum SensedQuantity {
     return size;
   }
 
+  /** Whether this is a horizontal position. */
+  public boolean isPlace() {
+    return this == PLACE || this == LOCAL_PLACE;
+  }
+
   /** Whether sources of the two quantities can corroborate each other. */
   public boolean corroborates(SensedQuantity other) {
     return this == other || kin(this) == kin(other);

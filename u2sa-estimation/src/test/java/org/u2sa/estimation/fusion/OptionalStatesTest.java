@@ -60,6 +60,27 @@ class OptionalStatesTest {
     assertThat(filter.at(truth.micros).wheelScale()).isCloseTo(0.04, within(0.01));
   }
 
+  /** A submarine sails sideways: its log measures the drift that the constraint denies. */
+  @Test
+  void add_logMeasuresTheDrift_noSlipIsNotSupposed() {
+    ErrorStateFilter filter = new ErrorStateFilter(FilterTuning.of(MotionDomain.UNDERWATER));
+    double sum = 0.0;
+    for (int i = 1; i <= 6_000; i++) {
+      long micros = i * 100_000L;
+      filter.add(m.begin("Compass", micros).heading(truth.gauss(0.01), 0.01));
+      if (i % 10 == 0) {
+        m.begin("Log", micros);
+        m.set(SensedQuantity.BODY_VELOCITY, 1, 0.5 + truth.gauss(0.05), 0.05);
+        m.set(SensedQuantity.FLUID_VELOCITY, 0, truth.gauss(0.05), 0.05);
+        m.set(SensedQuantity.FLUID_VELOCITY, 1, 0.5 + truth.gauss(0.05), 0.05);
+        filter.add(m);
+      }
+      sum += filter.at(micros).velocityMps(1);
+    }
+    assertThat(filter.at(600_000_000L).hasFlow()).isTrue();
+    assertThat(sum / 6_000).isCloseTo(0.5, within(0.02));
+  }
+
   @Test
   void add_withoutCompass_directionOfMotionBecomesTheHeading() {
     ErrorStateFilter filter = new ErrorStateFilter(FilterTuning.of(MotionDomain.GROUND));

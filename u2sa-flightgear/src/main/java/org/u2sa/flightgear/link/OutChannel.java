@@ -104,10 +104,21 @@ final class OutChannel {
         return;
       }
       buffer.flip();
+      if (got > 0 && !peer.began && !isStartOfNumber(buffer.get(0))) {
+        troubles.event(peer.name + " was closed: it began with no number, unlike FlightGear");
+        close(peer);
+        return;
+      }
+      peer.began |= got > 0;
       peer.lines.feed(buffer, line -> take(peer, line), start -> tooLong(peer));
     } catch (IOException e) {
       lost(peer, "FlightGear's lines broke off: " + e.getMessage());
     }
+  }
+
+  /** A web page of a browser on this host can send lines of numbers, but only behind a header. */
+  private static boolean isStartOfNumber(byte first) {
+    return first == '-' || first >= '0' && first <= '9';
   }
 
   private void tooLong(Peer peer) {
@@ -246,6 +257,7 @@ final class OutChannel {
     private final SocketChannel channel;
     private final LineSplitter lines = new LineSplitter();
     private final String name;
+    private boolean began; // has sent its first byte
 
     private Peer(SocketChannel channel) throws IOException {
       this.channel = channel;

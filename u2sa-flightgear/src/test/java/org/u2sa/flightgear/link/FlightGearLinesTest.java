@@ -76,7 +76,7 @@ final class FlightGearLinesTest extends RawLink {
   void read_garbage_isRefusedAndTheNextLineIsRead() throws IOException {
     flightGear.connect(link.outPort());
     flightGear.send(
-        "GET / HTTP/1.0\r\n\n\0\u00ff\n1,2,3\n"
+        "0 HTTP/1.0\r\n\n\0\u00ff\n1,2,3\n"
             + RawFlightGear.line(5.0, 1.0).replaceFirst("^5[^,]*", "nan"));
     flightGear.send(RawFlightGear.line(5.0, 1.25));
     assertThat(readUntil(AircraftReading::connected).state().psi().orElse(0.0))
@@ -84,6 +84,16 @@ final class FlightGearLinesTest extends RawLink {
     assertThat(link.refusedLines()).isEqualTo(5);
     awaitTrouble(
         "5 lines from FlightGear refused, the last: /sim/time/elapsed-sec: \"nan\" is not a number");
+  }
+
+  /** As a page in a browser sends it, without asking. */
+  @Test
+  void read_httpRequestWithLinesInItsBody_isClosedAndNoFlightGear() throws IOException {
+    flightGear.connect(link.outPort());
+    flightGear.send("POST / HTTP/1.1\r\n\r\n" + RawFlightGear.line(5.0, 1.25));
+    assertThat(flightGear.isRefused()).isTrue();
+    awaitTrouble("was closed: it began with no number");
+    assertThat(link.read(clock.micros()).connected()).isFalse();
   }
 
   @Test

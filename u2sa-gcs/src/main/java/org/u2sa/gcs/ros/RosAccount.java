@@ -8,13 +8,10 @@ import org.u2sa.core.communication.bridge.ClientBridge;
 import org.u2sa.core.security.AccessRole;
 import org.u2sa.core.security.AccessRule;
 import org.u2sa.core.security.AccessTable;
-import org.u2sa.core.security.User;
-import org.u2sa.core.security.UserFile;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.interfaces.mqtt.LocalToken;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.schema.MessageType;
 
@@ -90,8 +87,12 @@ final class RosAccount {
     if (link == null) {
       link =
           new RemoteLink(
-              setting.as(user, password), clientName, new SystemClock(), ANSWER_WITHIN_S, trouble);
-      operates = isOperator();
+              setting.broker().as(user, password),
+              clientName,
+              new SystemClock(),
+              ANSWER_WITHIN_S,
+              trouble);
+      operates = setting.operators().test(user);
     }
     return link;
   }
@@ -124,20 +125,12 @@ final class RosAccount {
               + channel
               + " is published by the vehicle only; ROS tools may send what an operator may");
     }
-    if (rule.get().kind() != AccessRule.Kind.QUESTION && !isOperator()) {
+    if (rule.get().kind() != AccessRule.Kind.QUESTION && !setting.operators().test(user)) {
       throw new BadInputException(
           (user.isEmpty() ? "without a log-in" : "user \"" + user + "\"")
               + " this connection only listens; orders need the role operator"
               + " (docs/ros.md#log-in)");
     }
-  }
-
-  private boolean isOperator() {
-    if (setting.security().isPresent()) {
-      User known = UserFile.read(setting.security().get().users()).get(user);
-      return known != null && known.roles().contains(AccessRole.OPERATOR);
-    }
-    return setting.everybodyCommands() || user.equals(LocalToken.USER);
   }
 
   synchronized void close() {

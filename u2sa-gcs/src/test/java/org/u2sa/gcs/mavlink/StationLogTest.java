@@ -1,6 +1,7 @@
 package org.u2sa.gcs.mavlink;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
 
 import io.dronefleet.mavlink.common.LogData;
 import io.dronefleet.mavlink.common.LogEntry;
@@ -18,6 +19,9 @@ import java.util.Optional;
 import java.util.Random;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.gcs.mavlink.file.RecordingFolder;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
@@ -97,6 +101,25 @@ class StationLogTest {
     assertThat(data(2, 100_000, 90)).extracting(LogData::count).containsExactly(0);
     assertThat(data(2, 0xFFFF_FFFFL, 0xFFFF_FFFFL)).extracting(LogData::count).containsExactly(0);
     assertThat(data(3, 0, 90)).isEmpty();
+  }
+
+  /** A pipe that nobody writes to keeps its reader waiting. */
+  @Test
+  @Timeout(120)
+  @EnabledOnOs(OS.LINUX)
+  void data_diskHangs_isRefusedAndTheBridgeGoesOn() throws Exception {
+    list(0, 0xFFFF);
+    Path pipe = logs.resolve("b.mcap");
+    Files.delete(pipe);
+    assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor()).isZero();
+
+    assertThat(data(2, 0, 46_080)).isEmpty();
+    assertThat(kit.texts()).contains("cannot be read", "the disk did not answer within 500 ms");
+    assertThat(list(0, 0xFFFF)).extracting(LogEntry::numLogs).containsExactly(0);
+    assertThat(kit.texts()).contains("cannot be listed", "the disk does not answer");
+
+    Files.newOutputStream(pipe).close(); // lets the reader go on
+    await().until(() -> list(0, 0xFFFF), each -> each.get(0).numLogs() == 1);
   }
 
   @Test

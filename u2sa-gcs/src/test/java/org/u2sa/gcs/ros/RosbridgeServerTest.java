@@ -322,7 +322,7 @@ class RosbridgeServerTest {
             new MqttTransport(
                 "127.0.0.1", brokerPort, "rover", new MessageCodec(StandardTypes.registry())),
             Optional.empty(),
-            false,
+            user -> false,
             log::add);
     try (ClientBridge server = new RosbridgeServer(setting, new StoppedClock());
         RosClient flood = new RosClient(other)) {

@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.concurrent.atomic.AtomicLong;
+import org.u2sa.interfaces.disk.DiskThread;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
 
@@ -19,7 +20,7 @@ import org.u2sa.interfaces.time.SystemClock;
  * throws: lines that cannot be written are counted, and the first failure is reported on standard
  * error.
  *
- * <p>In real time lines wait in a bounded queue for the {@link DiskWriter}, so that no service
+ * <p>In real time lines wait in a bounded queue for the {@link DiskThread}, so that no service
  * waits for a disk that hangs; further lines are dropped, counted, and reported in the next line.
  * In simulated time lines are written immediately.
  *
@@ -43,7 +44,7 @@ public final class LogFile implements AutoCloseable {
   private final Clock clock;
   private final PrintStream complaints;
   private final Opener opener;
-  private final DiskWriter disk;
+  private final DiskThread disk;
   private final Clock
       stopwatch; // not the run's clock: the number of reads differs in a re-execution
   private final LogFile first; // first of the logs sharing the file; owns the fields below
@@ -73,7 +74,7 @@ public final class LogFile implements AutoCloseable {
         clock,
         System.err,
         path -> new FileOutputStream(path.toFile(), true),
-        DiskWriter.ofProcess(),
+        DiskThread.ofProcess(),
         new SystemClock());
   }
 
@@ -84,7 +85,7 @@ public final class LogFile implements AutoCloseable {
       Clock clock,
       PrintStream complaints,
       Opener opener,
-      DiskWriter disk,
+      DiskThread disk,
       Clock stopwatch) {
     this.file = file;
     this.serviceName = serviceName;

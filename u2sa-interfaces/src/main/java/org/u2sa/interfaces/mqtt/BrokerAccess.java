@@ -55,15 +55,6 @@ public final class BrokerAccess {
     this.usesToken = usesToken;
   }
 
-  /**
-   * Anonymous access for a client that gave no name: not even the account's token is used.
-   *
-   * @param caFile certificates (PEM) of the trusted authorities; empty: no encryption
-   */
-  public static BrokerAccess anonymous(String caFile) {
-    return new BrokerAccess("", new char[0], caFile.isEmpty() ? null : context(caFile), false);
-  }
-
   /** Anonymous and unencrypted; with the account's token at a broker of this host. */
   public static BrokerAccess open() {
     return OPEN;
@@ -115,6 +106,14 @@ public final class BrokerAccess {
   public static BrokerAccess of(String user, char[] password, String caFile) {
     return new BrokerAccess(
         user, password.clone(), caFile.isEmpty() ? null : context(caFile), false);
+  }
+
+  /**
+   * The same encryption for another user, without reading its files again. An empty name is that of
+   * a client that gave none: not even the account's token is used.
+   */
+  BrokerAccess as(String other, char[] secret) {
+    return new BrokerAccess(other, secret.clone(), tls, false);
   }
 
   private static char[] firstLine(String file) {

@@ -76,9 +76,10 @@ public record MqttTransport(
     return new MqttTransport(host, port, systemId, codec, access, patienceS, other, isService);
   }
 
-  /** Copy with a different log-in. */
-  public MqttTransport as(BrokerAccess other) {
-    return new MqttTransport(host, port, systemId, codec, other, patienceS, client, isService);
+  /** Copy with a different log-in; an empty name is anonymous. */
+  public MqttTransport as(String user, char[] password) {
+    return new MqttTransport(
+        host, port, systemId, codec, access.as(user, password), patienceS, client, isService);
   }
 
   /** Copy for another system on the same broker, or {@link Topic#ANY_SYSTEM}. */

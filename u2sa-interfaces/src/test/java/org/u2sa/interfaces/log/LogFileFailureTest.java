@@ -14,6 +14,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
+import org.u2sa.interfaces.disk.DiskThread;
 
 /** The service flies on when its log cannot. */
 class LogFileFailureTest extends LogFileFixture {
@@ -93,7 +94,7 @@ class LogFileFailureTest extends LogFileFixture {
             CLOCK,
             new PrintStream(complaints, true, "UTF-8"),
             opener,
-            new DiskWriter(),
+            new DiskThread("test"),
             CLOCK)) {
       log.log(LogLevelEnum.INFO, "a");
       assertThat(log.failures()).isEqualTo(1);

@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.interfaces.disk.DiskThread;
 import org.u2sa.interfaces.time.Clock;
 
 /**
@@ -51,7 +52,7 @@ abstract class LogFileFixture {
         CLOCK,
         new PrintStream(complaints, true, "UTF-8"),
         path -> new FileOutputStream(path.toFile(), true),
-        new DiskWriter(),
+        new DiskThread("test"),
         CLOCK);
   }
 

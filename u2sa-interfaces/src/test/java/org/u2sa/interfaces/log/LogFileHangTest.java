@@ -16,13 +16,14 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.u2sa.interfaces.disk.DiskThread;
 import org.u2sa.interfaces.time.Clock;
 
 /** A service does not wait for a disk that hangs. */
 class LogFileHangTest extends LogFileFixture {
   private final CountDownLatch answers = new CountDownLatch(1);
   private final AtomicLong nowMicros = new AtomicLong(1_500_000_000_123_456L);
-  private final DiskWriter disk = new DiskWriter();
+  private final DiskThread disk = new DiskThread("test");
 
   /** A file on a disk that hangs until it answers. */
   private final class HangingDisk extends FilterOutputStream {

@@ -51,11 +51,13 @@ public final class Avoidance {
   private final PathNews news;
   private final VerticalEvasion climbing;
   private final StraightFlight straight;
+  private final VerticalGuard vertical;
   private final DriftWatch drift;
   private PlanningPlane plane;
   private Optional<GoalAttempt> attempt = Optional.empty(); // set at the first step
   private Optional<ArcChoice> before = Optional.empty(); // last choice, on the plane
   private Optional<HeldChoice> held = Optional.empty();
+  private long steppedMicros = Long.MIN_VALUE; // state of the last step
 
   /**
    * Next step of the vehicle.
@@ -114,6 +116,7 @@ public final class Avoidance {
     news = new PathNews(settings, say);
     climbing = new VerticalEvasion(terrain, say);
     straight = new StraightFlight(world);
+    vertical = new VerticalGuard(world, say);
     drift = new DriftWatch(settings);
   }
 
@@ -198,6 +201,67 @@ public final class Avoidance {
     return straight.comesTraffic(vehicle, at, body(now), now);
   }
 
+  /**
+   * Shortens the climb or descent to the next point of a vehicle that can stop: to the clearance of
+   * obstacles above or below and, unless a step has led there, so that it keeps away from traffic.
+   *
+   * @param goal UID of the goal
+   * @param ground place to land on; empty if it does not land
+   * @return reason for giving up the goal, or empty
+   */
+  public Optional<String> guard(
+      String goal,
+      Vehicle vehicle,
+      StateInformation state,
+      NavigationPoint point,
+      Optional<Place> ground) {
+    AvoidanceVariables now = settings.get();
+    if (!isOn() || !now.stops() || now.verticalClearance() == 0.0 || state.z().isEmpty()) {
+      return Optional.empty();
+    }
+    lieOn(world.plane(state));
+    Point at = vehicle.on(plane);
+    Point way = vehicle.ned(point.point());
+    double apartM = way.z();
+    double downM = way.z();
+    if (VerticalGuard.matters(way)) {
+      if (steppedMicros != vehicle.timestampMicros()) {
+        world.update(state, at.x(), at.y(), at.z(), at.z() + way.z());
+        apartM = amongTraffic(vehicle, state, at, way);
+      }
+      Point apart = Point.of(way.x(), way.y(), apartM);
+      downM = vertical.untilObstacle(vehicle, at, apart, ground, body(now), now);
+      point.point(vehicle.body(Point.of(way.x(), way.y(), downM)));
+    }
+    boolean byObstacle = downM != apartM;
+    return vertical.heldUp(goal, vehicle, way, byObstacle || apartM != way.z(), byObstacle, now);
+  }
+
+  /** Whether obstacles or traffic above or below held the vehicle up at the last state. */
+  public boolean isHeldUp() {
+    return vertical.isHeldUp();
+  }
+
+  /** Vertical way that keeps away from traffic: the wanted one, none, or up, down [m]. */
+  private double amongTraffic(Vehicle vehicle, StateInformation state, Point at, Point way) {
+    AvoidanceVariables now = settings.get();
+    Place to = vehicle.place().at(vehicle.place().upM().orElseThrow() - way.z());
+    Optional<VerticalRoom> room = climbing.room(state, at, way, to, now, world, plane);
+    List<Mover> traffic = room.isPresent() ? world.allMovers() : world.movers();
+    if (traffic.isEmpty()) {
+      return way.z();
+    }
+    Wanted wanted = new Wanted("", to, 0.0, OptionalDouble.empty(), OptionalDouble.empty());
+    Pose pose = new Pose(at.x(), at.y(), vehicle.headingRad());
+    double cellM = world.costs().frame().cellM();
+    Situation situation = Situation.of(pose, way, wanted, vehicle, cellM, now, lines.get());
+    ArcChooser arcs = arcs(situation, vehicle, traffic, room);
+    double keptM = body(now).circleM() + now.trafficClearance();
+    boolean isOver =
+        way.z() > 0.0 && VerticalGuard.isOver(traffic, at, keptM, vehicle.timestampMicros());
+    return isOver ? 0.0 : arcs.inPlaceM(way.z());
+  }
+
   /** Called when a waypoint was reached: blocks the way back. */
   public void reached(Vehicle vehicle, StateInformation state) {
     AvoidanceVariables now = settings.get();
@@ -242,6 +306,7 @@ public final class Avoidance {
     // An aircraft moves along its course, not its heading.
     double ahead = now.stops() ? vehicle.headingRad() : vehicle.courseRad();
     Pose pose = new Pose(at.x(), at.y(), ahead);
+    steppedMicros = micros;
     if (!now.passSides().isEmpty()) {
       obstacles.keepSides(pose, state, routes.track(), now);
     }

@@ -133,6 +133,12 @@ public final class Vehicle {
     return body(ned, state.phi().orElse(0.0), state.theta().orElse(0.0));
   }
 
+  /** Rotates BODY to north, east, down, as the inverse of {@link #body}. */
+  public Point ned(Point body) {
+    return new Attitude(state.phi().orElse(0.0), state.theta().orElse(0.0), headingRad())
+        .nedOf(body);
+  }
+
   /** Like {@link #body}, but for a level vehicle whatever its attitude. */
   Point levelBody(Point ned) {
     return body(ned, 0.0, 0.0);

@@ -84,6 +84,11 @@ public final class ArcChooser {
                     pose));
   }
 
+  /** Vertical way in place, down [m]: the wanted one, or one that keeps away from traffic. */
+  public double inPlaceM(double wantedM) {
+    return evasion.inPlaceM(wantedM);
+  }
+
   public ArcChoice along(RouteTrack track) {
     if (drifting.isPresent() && !track.goesBackwards()) {
       return drifting.get().along(track);

@@ -144,6 +144,27 @@ final class Evasion {
   }
 
   /**
+   * Vertical way in place, down [m]: the wanted one if it keeps away from traffic for the horizon,
+   * otherwise none, up or down, whichever keeps away longest.
+   */
+  double inPlaceM(double wantedM) {
+    if (forecast.standing(Double.NaN).meetsS() >= limits.horizonS()) {
+      return wantedM;
+    }
+    double bestM = 0.0;
+    double longestS = room == null ? NEVER : forecast.standing(room.downM()).meetsS();
+    double[] others = room == null ? new double[0] : room.altitudes(limits.horizonS());
+    for (double downM : others) {
+      Outcome there = forecast.standing(downM);
+      if (there.freeM() == NEVER && there.meetsS() > longestS && longestS < limits.horizonS()) {
+        longestS = there.meetsS();
+        bestM = downM - room.downM();
+      }
+    }
+    return bestM;
+  }
+
+  /**
    * Altitude, above or below, at which the best motion also keeps its distance: a vehicle that
    * cannot stop and turns away from an equally fast aircraft at the same altitude ends at the
    * boundary. NaN if there is none: the goal's altitude.

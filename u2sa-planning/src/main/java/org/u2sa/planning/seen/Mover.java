@@ -33,6 +33,8 @@ public record Mover(
   /** Below this speed an object counts as stationary [m/s]. */
   private static final double STANDS_MPS = 0.05;
 
+  private static final double CLIMBS_MPS = 0.5; // less may be an error of its altitude
+
   /**
    * Altitudes of traffic.
    *
@@ -72,6 +74,11 @@ public record Mover(
 
   boolean stands() {
     return Math.hypot(northMps, eastMps) < STANDS_MPS;
+  }
+
+  /** Whether it climbs or descends, and can be passed over. */
+  boolean climbs() {
+    return Math.abs(heights.downMps) >= CLIMBS_MPS && heights.halfM < Double.POSITIVE_INFINITY;
   }
 
   /** Copy with another velocity from its current position, at its altitude. */

@@ -313,9 +313,14 @@ public final class SeenWorld {
         || eastM > frame.eastM() + frame.columns() * frame.cellM() - margin;
   }
 
+  /** Whether it is an obstacle; what climbs or descends in place is not, where heights matter. */
+  private boolean stands(Mover mover) {
+    return mover.stands() && !(reading.get().heightMarginM() > 0.0 && mover.climbs());
+  }
+
   /** Current and possible motions of traffic. */
   private List<Mover> motions(Mover mover) {
-    if (mover.stands()) {
+    if (stands(mover)) {
       return memory.mightMove(mover);
     }
     memory.moves(mover);
@@ -341,7 +346,7 @@ public final class SeenWorld {
       PlanarShape shape = reader.shape(object);
       boolean isCorridor = object.objectType().equals(now.corridorType());
       if (now.heightMarginM() > 0.0 && !shape.reaches(lowDownM, highDownM, now.heightMarginM())) {
-        Optional<Mover> mover = reader.mover(object, micros).filter(each -> !each.stands());
+        Optional<Mover> mover = reader.mover(object, micros).filter(each -> !stands(each));
         mover.ifPresent(movingElsewhere::add);
         if (mover.isEmpty() && !isCorridor) {
           standingElsewhere.add(shape);

@@ -3,6 +3,7 @@ package org.u2sa.report.score;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.ToDoubleFunction;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 
@@ -74,8 +75,8 @@ public record RunPlan(
     return new RunPlan(domain, home, waypoints, corners, out, surroundings);
   }
 
-  /** Copy with this capture radius for every waypoint [m], more than 0. */
-  public RunPlan reachedWithin(double radiusM) {
+  /** Copy with these capture radii of the waypoints [m], more than 0. */
+  public RunPlan reachedWithin(ToDoubleFunction<Waypoint> radiusM) {
     List<Waypoint> within =
         waypoints.stream()
             .map(
@@ -85,7 +86,7 @@ public record RunPlan(
                         w.longitudeDeg(),
                         w.latitudeDeg(),
                         w.altitudeM(),
-                        radiusM,
+                        radiusM.applyAsDouble(w),
                         w.verticalThresholdM()))
             .toList();
     return new RunPlan(domain, home, within, fence, keepOuts, surroundings);

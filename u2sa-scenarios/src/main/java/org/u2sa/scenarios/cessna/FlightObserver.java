@@ -7,6 +7,7 @@ import org.u2sa.control.fixedwing.ControlStatus;
 import org.u2sa.control.fixedwing.FlightPhase;
 import org.u2sa.flightgear.link.Simulator;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.AircraftState;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.report.score.RunOutcome;
@@ -30,10 +31,12 @@ final class FlightObserver extends EventDrivenService implements RunObserver {
   private static final double STALL_ANGLE_RAD = Math.toRadians(17.0);
 
   private static final double STANDS_MPS = 0.5;
+  private static final double REPORTS_WITHIN_S = 5.0; // the planner a landing, once it stands
 
   private final RunRecord record;
   private String phase = "WAITING";
   private volatile boolean crashed;
+  private long standsMicros = Long.MAX_VALUE; // since when it stands after its flight
   private volatile boolean landed;
   private boolean airborne;
   private volatile boolean stalled;
@@ -64,9 +67,12 @@ final class FlightObserver extends EventDrivenService implements RunObserver {
     airborne |= !truth.weightOnWheels();
     stalled |= !truth.weightOnWheels() && angleOfAttackRad(truth) > STALL_ANGLE_RAD;
     double speed = Math.hypot(truth.xDot().orElseThrow(), truth.yDot().orElseThrow());
-    landed |= airborne && phase.equals(FlightPhase.STOPPED.name()) && speed < STANDS_MPS;
+    long now = truth.timestamp().orElseThrow();
+    boolean stands = airborne && phase.equals(FlightPhase.STOPPED.name()) && speed < STANDS_MPS;
+    standsMicros = stands ? Math.min(now, standsMicros) : Long.MAX_VALUE;
+    landed |= stands && Clock.seconds(now - standsMicros) >= REPORTS_WITHIN_S;
     record.moment(
-        truth.timestamp().orElseThrow(),
+        now,
         truth.x().orElseThrow(),
         truth.y().orElseThrow(),
         truth.z().orElseThrow(),
@@ -104,9 +110,16 @@ final class FlightObserver extends EventDrivenService implements RunObserver {
     return record.isMissionOver() || crashed || landed;
   }
 
-  /** {@inheritDoc} Stalled if the angle of attack exceeded the stall angle in the air. */
+  /**
+   * {@inheritDoc} Stalled if the angle of attack exceeded the stall angle in the air. A landing is
+   * missed unless it was completed, although the aircraft passed its position.
+   */
   @Override
   public RunOutcome outcome() {
-    return new RunOutcome(crashed ? 1 : 0, stalled, List.of());
+    List<String> missed =
+        record.landingsMissed().stream()
+            .map(uid -> "landing \"" + uid + "\" was not completed")
+            .toList();
+    return new RunOutcome(crashed ? 1 : 0, stalled, missed);
   }
 }

@@ -36,6 +36,8 @@ public final class DemoFrame {
   @Spec(Spec.Target.MIXEE)
   private CommandSpec command;
 
+  private double loiterM; // the planner's LOITER RADIUS
+
   /** Stream for human-readable messages. */
   public Terminal terminal() {
     return options.terminal();
@@ -85,6 +87,7 @@ public final class DemoFrame {
     changes.applyTo(changed);
     Path file = options.mission().orElseGet(() -> demo.ownMission(system, changed));
     Mission mission = VehicleMission.load(system, changed, file);
+    loiterM = VehicleMission.loiterRadiusM(system, changed);
     demo.check(plan(demo, mission)); // report errors before anything is created
     return new RunLoop(options, command.commandLine().getOut())
         .run(
@@ -154,9 +157,10 @@ public final class DemoFrame {
 
   /** The plan of a mission, for reports and screens. */
   public RunPlan plan(Demo demo, Mission mission) {
-    RunPlan plan = demo.plan(mission).among(demo.surroundings());
+    RunPlan plan =
+        RunPlans.circled(demo.plan(mission), mission, loiterM).among(demo.surroundings());
     OptionalDouble ruled = demo.captureRadiusM();
-    return ruled.isPresent() ? plan.reachedWithin(ruled.getAsDouble()) : plan;
+    return ruled.isPresent() ? plan.reachedWithin(waypoint -> ruled.getAsDouble()) : plan;
   }
 
   private LaunchOptions launch(Demo demo, SystemFile system, Demo.Trial trial) {

@@ -1,7 +1,9 @@
 package org.u2sa.scenarios.run;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.interfaces.BadInputException;
@@ -67,16 +69,29 @@ public final class RunPlans {
                             place.x().orElseThrow(),
                             place.y().orElseThrow(),
                             waypoint.z().isPresent() ? place.z() : OptionalDouble.empty(),
-                            waypoint.horizontalThreshold() + radiusM(waypoint),
+                            waypoint.horizontalThreshold(),
                             waypoint.verticalThreshold())));
       }
     }
     return new RunPlan(domain, Optional.of(home), waypoints);
   }
 
-  /** Radius of the circle that an aircraft flies around a station [m]; 0 if unspecified. */
-  private static double radiusM(Waypoint waypoint) {
-    return waypoint instanceof Station station ? Math.abs(station.radius().orElse(0.0)) : 0.0;
+  /**
+   * A plan whose stations are reached on the circles around them.
+   *
+   * @param loiterM radius of the circle around a station without one [m]; 0 for a vehicle that does
+   *     not circle
+   */
+  static RunPlan circled(RunPlan plan, Mission mission, double loiterM) {
+    Map<String, Double> radii = new HashMap<>();
+    for (GoalInformation goal : mission.goals()) {
+      if (loiterM > 0.0 && goal instanceof Station station) {
+        double given = Math.abs(station.radius().orElse(0.0));
+        radii.put(goal.uid(), given == 0.0 ? loiterM : given);
+      }
+    }
+    return plan.reachedWithin(
+        waypoint -> waypoint.captureRadiusM() + radii.getOrDefault(waypoint.name(), 0.0));
   }
 
   private static Optional<StateInformation> place(Waypoint waypoint, Geodetic origin) {

@@ -1,6 +1,7 @@
 package org.u2sa.scenarios.run;
 
 import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -8,6 +9,7 @@ import java.util.function.Consumer;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.report.score.RunPlan;
@@ -27,6 +29,7 @@ public final class RunRecord {
   private final Consumer<TrackSample> screen;
   private final Set<String> leftOut = new HashSet<>();
   private final Set<String> done = new HashSet<>();
+  private final Set<String> landings = new LinkedHashSet<>(); // of the plan, once current
   private List<String> current = List.of(); // goals
   private double currentAfterS = Double.NEGATIVE_INFINITY; // last sample before they were current
   private double lastS = Double.NEGATIVE_INFINITY;
@@ -36,8 +39,7 @@ public final class RunRecord {
   private boolean
       onLine; // whether the vehicle came from the waypoint at which the leg begins, and is on its
   // way
-  private Optional<Station> station = Optional.empty(); // the target, if it is one
-  private double nearestM; // to it so far
+  private boolean isStation; // whether the target is one
   private boolean seen = true; // whether there is a sample with the current target
   private long startMicros = NOT_YET;
   private volatile boolean missionOver;
@@ -100,31 +102,22 @@ public final class RunRecord {
     int next = goals.goals().isEmpty() ? names.size() : names.indexOf(goals.goals().get(0).uid());
     if (next != leg) {
       onLine = next == leg + 1 && (leg >= 0 || !begun);
-      nearestM = Double.POSITIVE_INFINITY;
     }
     leg = next;
     begun = true;
-    station =
-        goals.goals().stream()
-            .limit(1)
-            .filter(Station.class::isInstance)
-            .map(Station.class::cast)
-            .findFirst();
+    goals.goals().stream()
+        .filter(goal -> goal instanceof Landing && names.contains(goal.uid()))
+        .forEach(goal -> landings.add(goal.uid()));
+    isStation = goals.goals().stream().limit(1).anyMatch(Station.class::isInstance);
   }
 
-  /**
-   * Whether the vehicle is at its station or on the circle around it: with the station's radius, or
-   * the planner's, on which it comes no nearer.
-   */
+  /** Whether the vehicle is at its station or on the circle around it. */
   private boolean hasArrived(double longitudeDeg, double latitudeDeg) {
-    if (station.isEmpty() || leg < 0 || leg >= names.size()) {
-      return false;
-    }
-    double distanceM = plan.distanceM(leg, longitudeDeg, latitudeDeg);
-    double slackM = plan.waypoints().get(leg).captureRadiusM();
-    double radiusM = Math.abs(station.get().radius().orElse(0.0));
-    nearestM = Math.min(nearestM, distanceM);
-    return distanceM <= radiusM + slackM || (radiusM == 0.0 && distanceM > nearestM + slackM);
+    return isStation
+        && leg >= 0
+        && leg < names.size()
+        && plan.distanceM(leg, longitudeDeg, latitudeDeg)
+            <= plan.waypoints().get(leg).captureRadiusM();
   }
 
   /**
@@ -182,6 +175,11 @@ public final class RunRecord {
   /** Current goals not completed because enough others were; call like {@link #track}. */
   Set<String> leftOut() {
     return leftOut;
+  }
+
+  /** Landings that were pursued and not completed; call like {@link #track}. */
+  public List<String> landingsMissed() {
+    return landings.stream().filter(uid -> !done.contains(uid) && !leftOut.contains(uid)).toList();
   }
 
   /** Whether the Mission Manager has no goal left. Thread-safe. */

@@ -4,6 +4,8 @@ import java.nio.file.Path;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.configuration.Description;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.mission.Mission;
@@ -14,7 +16,22 @@ import org.u2sa.mission.MissionManager;
  * the file come from the vehicle's configuration.
  */
 final class VehicleMission {
+  /** The variable of a planner that circles around stations. */
+  private record Circling(
+      @Variable(unit = "m", min = 0, ifAbsent = 0)
+          @Description("Holding-circle radius; 0: hold in place.")
+          double loiterRadius) {}
+
   private VehicleMission() {}
+
+  /** Radius of the circle around a station that gives none [m]; 0 if the vehicle stays there. */
+  static double loiterRadiusM(SystemFile system, LaunchOptions options) {
+    return system.services().stream()
+        .map(options::configuration)
+        .mapToDouble(each -> each.settings(Circling.class).get().loiterRadius())
+        .max()
+        .orElse(0.0);
+  }
 
   /**
    * Reads a mission.

@@ -241,8 +241,53 @@ class CrosswindLandingTest {
     assertThat(autopilot.phase()).isEqualTo(FlightPhase.GO_AROUND);
   }
 
-  /** What a planner says that has come to the end of a mission to land: it circles there. */
+  /** A planner tries again whose approach begins lower than the safe height: it decides anew. */
+  @Test
+  void step_leadsToTheNextApproachAfterARefusal_refusesNoLonger() {
+    approach(Wind.gusty(Math.PI, 19.0, 3));
+    while (autopilot.phase() != FlightPhase.GO_AROUND) {
+      step();
+    }
+    for (double t = 0.0; t < 10.0; t += DT_S) {
+      circle(41.0);
+    }
+    assertThat(autopilot.phase()).isEqualTo(FlightPhase.GO_AROUND);
+    circle(56.0);
+    circle(56.0);
+
+    assertThat(autopilot.phase()).isEqualTo(FlightPhase.CRUISE);
+  }
+
+  /** A planner breaks off its approach: a gust that takes airspeed must not bring the nose down. */
+  @ParameterizedTest(name = "{0} m/s from {1} deg, seed {2}")
+  @CsvSource({"12, 270, 2", "12, 270, 3", "12, 270, 7", "12, 270, 8"})
+  void step_leadsUpLowOverTheRunway_climbsAtOnce(double mps, double fromDeg, long seed) {
+    approach(Wind.gusty(Math.toRadians(fromDeg), mps, seed));
+    while (state().heightM() > 22.0) {
+      step();
+    }
+    double lowestM = state().heightM();
+    for (double t = 0.0; t < 15.0; t += DT_S) {
+      FlightState now = state();
+      lowestM = Math.min(lowestM, now.heightM());
+      fly(new GuidanceTarget(-now.northM(), 400.0, FIELD_M + 56.0, OptionalDouble.empty()));
+    }
+
+    assertThat(aircraft.state().stalled()).isFalse();
+    assertThat(lowestM).isGreaterThan(5.0);
+    assertThat(state().heightM()).isGreaterThan(40.0);
+  }
+
   private void circle() {
+    circle(0.0);
+  }
+
+  /**
+   * What a planner says that has come to the end of a mission to land: it circles there.
+   *
+   * @param heightM above the field
+   */
+  private void circle(double heightM) {
     FlightState state = state();
     double radius = 300.0;
     double angle = Math.atan2(state.eastM() - TOUCH_DOWN_M, state.northM()) + 0.5;
@@ -250,9 +295,13 @@ class CrosswindLandingTest {
         new GuidanceTarget(
             radius * Math.cos(angle) - state.northM(),
             TOUCH_DOWN_M + radius * Math.sin(angle) - state.eastM(),
-            FIELD_M,
+            FIELD_M + heightM,
             OptionalDouble.of(SPEED_MPS));
-    Surfaces s = autopilot.step(state, Optional.of(there));
+    fly(there);
+  }
+
+  private void fly(GuidanceTarget there) {
+    Surfaces s = autopilot.step(state(), Optional.of(there));
     aircraft.step(
         ControlInputs.limited(
             s.aileron(),

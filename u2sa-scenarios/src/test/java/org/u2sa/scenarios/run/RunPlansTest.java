@@ -6,8 +6,11 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.schema.MessageTypes;
@@ -22,11 +25,14 @@ class RunPlansTest {
 
   @TempDir private Path folder;
 
-  private RunPlan placed(String goals) throws IOException {
+  private Mission mission(String goals) throws IOException {
     Path file = folder.resolve("mission.xml");
     Files.writeString(file, "<mission>" + goals + "</mission>");
-    return RunPlans.placed(
-        Domain.GROUND, Mission.load(file, MessageTypes.discovered(), 0.5), HOME, PLANE);
+    return Mission.load(file, MessageTypes.discovered(), 0.5);
+  }
+
+  private RunPlan placed(String goals) throws IOException {
+    return RunPlans.placed(Domain.GROUND, mission(goals), HOME, PLANE);
   }
 
   private static Point place(RunPlan.Waypoint waypoint) {
@@ -46,6 +52,23 @@ class RunPlansTest {
         .isCloseTo(0.0, within(0.01));
     assertThat(place(plan.waypoints().get(1)).distanceTo(Point.of(4.0, 8.0, -5.0)))
         .isCloseTo(0.0, within(0.01));
+  }
+
+  /** As the planner flies: its own radius around a station without one; no circle without one. */
+  @ParameterizedTest
+  @CsvSource({"80, 0.5, 100.5, 80.5", "0, 0.5, 0.5, 0.5"})
+  void circled_stations_areReachedOnTheCircle(
+      double loiterM, double waypoint, double withRadius, double without) throws IOException {
+    String place = "<x>10</x><y>54</y>";
+    Mission mission =
+        mission(
+            "<waypoint>%1$s</waypoint><station>%1$s<radius>-100</radius></station><station>%1$s</station>"
+                .formatted(place));
+    RunPlan plan = RunPlans.of(Domain.AIR, mission, Optional.of(HOME));
+
+    assertThat(RunPlans.circled(plan, mission, loiterM).waypoints())
+        .extracting(RunPlan.Waypoint::captureRadiusM)
+        .containsExactly(waypoint, withRadius, without);
   }
 
   @Test

@@ -10,6 +10,7 @@ import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.goal.ObjectGoal;
 import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.Waypoint;
@@ -24,12 +25,15 @@ class RunRecordTest {
   private final List<TrackSample> samples = new ArrayList<>();
   private final RunRecord record =
       new RunRecord(
-          new RunPlan(Domain.GROUND, Optional.empty(), List.of(place("a", 0.0), place("b", 0.01))),
+          new RunPlan(
+              Domain.GROUND,
+              Optional.empty(),
+              List.of(place("a", 0.0, 1.0), place("b", 0.01, 101.0))),
           samples::add);
 
-  private static RunPlan.Waypoint place(String name, double latitudeDeg) {
+  private static RunPlan.Waypoint place(String name, double latitudeDeg, double withinM) {
     return new RunPlan.Waypoint(
-        name, 0.0, latitudeDeg, OptionalDouble.empty(), 1.0, OptionalDouble.empty());
+        name, 0.0, latitudeDeg, OptionalDouble.empty(), withinM, OptionalDouble.empty());
   }
 
   private double crossTrackM(GoalInformation... goals) {
@@ -55,21 +59,11 @@ class RunRecordTest {
   @Test
   void moment_onTheCircleOfAStation_isNoDeviationFromTheWayThere() {
     crossTrackM(new Waypoint().uid("a"));
-    assertThat(crossTrackM(new Station().uid("b").radius(-100.0))).isCloseTo(10.0, within(0.1));
+    assertThat(crossTrackM(new Station().uid("b"))).isCloseTo(10.0, within(0.1));
 
     assertThat(crossTrackM(0.0089)).isCloseTo(10.0, within(0.1));
     assertThat(crossTrackM(0.0092)).isZero();
     assertThat(crossTrackM(0.0120)).isZero();
-  }
-
-  @Test
-  void moment_onTheCircleOfAStationWithoutRadius_isNoDeviationEither() {
-    crossTrackM(new Waypoint().uid("a"));
-    crossTrackM(new Station().uid("b"));
-
-    assertThat(crossTrackM(0.0092)).isCloseTo(10.0, within(0.1));
-    assertThat(crossTrackM(0.0080)).isZero();
-    assertThat(crossTrackM(0.0085)).isZero();
   }
 
   private static Waypoint done(String uid) {
@@ -112,6 +106,16 @@ class RunRecordTest {
     crossTrackM();
 
     assertThat(record.leftOut()).containsExactly("a");
+  }
+
+  @Test
+  void landingsMissed_pursuedAndNotCompleted_areThoseOfThePlan() {
+    crossTrackM(new Landing().uid("home")); // of a failsafe
+    crossTrackM(new Landing().uid("a"));
+    crossTrackM(new Landing().uid("b"));
+    record.received(done("a"));
+
+    assertThat(record.landingsMissed()).containsExactly("b");
   }
 
   @Test

@@ -136,4 +136,16 @@ class VehicleMissionTest {
         .isInstanceOf(IllegalStateException.class)
         .hasMessageContaining("horizontalThreshold");
   }
+
+  @Test
+  void loiterRadiusM_ofAVehicleThatCirclesOrStays_isThePlanners() {
+    LaunchOptions none = new LaunchOptions();
+    SystemFile cessna = SystemFile.read(ROOT.resolve("config/cessna/system.xml"));
+    LaunchOptions other = new LaunchOptions().override("PathPlanner", "LOITER RADIUS", 300.0);
+
+    assertThat(VehicleMission.loiterRadiusM(cessna, none)).isEqualTo(800.0);
+    assertThat(VehicleMission.loiterRadiusM(cessna, other)).isEqualTo(300.0);
+    SystemFile rover = SystemFile.read(ROOT.resolve("config/ugv/system.xml"));
+    assertThat(VehicleMission.loiterRadiusM(rover, none)).isZero();
+  }
 }

@@ -8,16 +8,21 @@ import java.nio.file.attribute.FileTime;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import org.u2sa.core.security.User;
 import org.u2sa.core.security.UserFile;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.disk.DiskThread;
 
 /**
  * Users of a running broker: those of the file, which is reloaded when it changes, and temporary
  * users of this run. Thread-safe.
  */
 public final class Users {
+  private static final DiskThread DISK = new DiskThread("u2sa-users");
+
+  private final AtomicBoolean isLooking = new AtomicBoolean();
   private final Path file; // null if none
   private final Consumer<String> log;
   private final LocalAccount account; // null if users have passwords
@@ -96,6 +101,20 @@ public final class Users {
       log.accept("users reloaded: " + ofFile.size() + " in " + file);
     } catch (BadInputException e) {
       log.accept("users unchanged: " + e.getMessage());
+    }
+  }
+
+  /** {@link #refresh} on a disk thread, because a network thread must not wait for the disk. */
+  public void refreshLater() {
+    if (isLooking.compareAndSet(false, true)) {
+      DISK.execute(
+          () -> {
+            try {
+              refresh();
+            } finally {
+              isLooking.set(false);
+            }
+          });
     }
   }
 

@@ -5,9 +5,9 @@ import java.util.Optional;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import org.u2sa.core.security.SecurityDirectory;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.mqtt.BrokerAccess;
 import org.u2sa.interfaces.mqtt.MqttTransport;
 
 /** A server of another protocol beside the embedded broker. */
@@ -17,25 +17,16 @@ public interface ClientBridge extends AutoCloseable {
    *
    * @param address address on which it listens
    * @param broker the broker, without any user's rights
-   * @param security users and certificate of a secured broker; empty: none
-   * @param everybodyCommands whether clients without a name have all rights
+   * @param security certificate of a secured broker; empty: none
+   * @param operators whether a user may command; an empty name is anonymous. Does not wait
    * @param log receives lines for the operator
    */
   record Setting(
       InetSocketAddress address,
       MqttTransport broker,
       Optional<SecurityDirectory> security,
-      boolean everybodyCommands,
-      Consumer<String> log) {
-    /** The broker as accessed by a user; an empty name is anonymous. */
-    public MqttTransport as(String user, char[] password) {
-      String authority = security.map(each -> each.authority().toString()).orElse("");
-      return broker.as(
-          user.isEmpty()
-              ? BrokerAccess.anonymous(authority)
-              : BrokerAccess.of(user, password, authority));
-    }
-  }
+      Predicate<String> operators,
+      Consumer<String> log) {}
 
   @Override
   void close();

@@ -15,7 +15,9 @@ import io.netty.handler.codec.http.websocketx.BinaryWebSocketFrame;
 import io.netty.handler.codec.http.websocketx.CloseWebSocketFrame;
 import io.netty.handler.codec.http.websocketx.WebSocketFrame;
 import io.netty.util.ReferenceCountUtil;
+import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
@@ -111,12 +113,33 @@ public final class WebConnection extends ChannelInboundHandlerAdapter {
       putOut.accept("connection closed, HTTP requests sent without waiting for the answers");
       return;
     }
-    FullHttpResponse response = response(request);
-    boolean isKept =
-        HttpUtil.isKeepAlive(request)
-            && response.status().code() < HttpResponseStatus.BAD_REQUEST.code();
-    HttpUtil.setKeepAlive(response, isKept);
     isAnswering = true;
+    boolean isKeepAlive = HttpUtil.isKeepAlive(request);
+    Optional<HttpResponseStatus> refusal = refusal(request);
+    if (refusal.isPresent()) {
+      send(ctx, WebResponses.error(refusal.get()), isKeepAlive);
+    } else {
+      responses.answer(request, request.uri(), response -> pass(ctx, response, isKeepAlive));
+    }
+  }
+
+  /** Sends a response that may come from another thread. */
+  private void pass(ChannelHandlerContext ctx, FullHttpResponse response, boolean isKeepAlive) {
+    if (ctx.executor().inEventLoop()) {
+      send(ctx, response, isKeepAlive);
+      return;
+    }
+    try {
+      ctx.executor().execute(() -> send(ctx, response, isKeepAlive));
+    } catch (RejectedExecutionException e) { // the broker has ended, and the connection with it
+      responses.sent(response.status(), response.content().readableBytes());
+    }
+  }
+
+  private void send(ChannelHandlerContext ctx, FullHttpResponse response, boolean isKeepAlive) {
+    boolean isKept =
+        isKeepAlive && response.status().code() < HttpResponseStatus.BAD_REQUEST.code();
+    HttpUtil.setKeepAlive(response, isKept);
     int bytes = response.content().readableBytes();
     ctx.writeAndFlush(response)
         .addListener(
@@ -130,19 +153,18 @@ public final class WebConnection extends ChannelInboundHandlerAdapter {
         .addListener(ChannelFutureListener.CLOSE_ON_FAILURE);
   }
 
-  private FullHttpResponse response(HttpRequest request) {
+  private Optional<HttpResponseStatus> refusal(HttpRequest request) {
     if (request.decoderResult().isFailure()) {
-      return WebResponses.error(HttpResponseStatus.BAD_REQUEST);
+      return Optional.of(HttpResponseStatus.BAD_REQUEST);
     }
     if (!origin.isHost(request.headers())) {
-      return WebResponses.error(HttpResponseStatus.MISDIRECTED_REQUEST);
+      return Optional.of(HttpResponseStatus.MISDIRECTED_REQUEST);
     }
     if (!READING.contains(request.method())) {
-      return WebResponses.error(HttpResponseStatus.METHOD_NOT_ALLOWED);
+      return Optional.of(HttpResponseStatus.METHOD_NOT_ALLOWED);
     }
-    if (request.uri().equals(MQTT_PATH)) {
-      return WebResponses.error(HttpResponseStatus.FORBIDDEN); // another page, or no WebSocket
-    }
-    return responses.answer(request, request.uri());
+    return request.uri().equals(MQTT_PATH)
+        ? Optional.of(HttpResponseStatus.FORBIDDEN) // another page, or no WebSocket
+        : Optional.empty();
   }
 }

@@ -19,6 +19,7 @@ import java.security.NoSuchAlgorithmException;
 import java.util.Base64;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.function.Consumer;
 import java.util.zip.GZIPOutputStream;
 
 /**
@@ -61,13 +62,24 @@ public final class WebResponses {
                         tag(file.content()))));
   }
 
-  /** The answer to a GET or HEAD. */
-  FullHttpResponse answer(HttpRequest request, String path) {
-    if (path.equals(WebTiles.PATH) && request.method().equals(HttpMethod.GET)) {
-      return tiles == null
-          ? response(HttpResponseStatus.NO_CONTENT, Unpooled.EMPTY_BUFFER) // browsers log errors
-          : tiles.answer(request);
+  /**
+   * Answers a GET or HEAD.
+   *
+   * @param answered receives the answer; that of a map tile possibly later on another thread
+   */
+  void answer(HttpRequest request, String path, Consumer<FullHttpResponse> answered) {
+    boolean isTile = path.equals(WebTiles.PATH) && request.method().equals(HttpMethod.GET);
+    if (isTile && tiles != null) {
+      tiles.answer(request, answered);
+    } else {
+      answered.accept(
+          isTile
+              ? response(HttpResponseStatus.NO_CONTENT, Unpooled.EMPTY_BUFFER) // no error to log
+              : answer(request, path));
     }
+  }
+
+  private FullHttpResponse answer(HttpRequest request, String path) {
     Stored file = files.get(path);
     if (file == null) {
       return error(HttpResponseStatus.NOT_FOUND);

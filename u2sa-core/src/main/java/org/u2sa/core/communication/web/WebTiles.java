@@ -12,10 +12,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Arrays;
+import java.util.concurrent.Semaphore;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.disk.DiskThread;
 
 /**
  * A file of map tiles (PMTiles, version 3); the page reads one range per request. Like the page
@@ -25,7 +28,7 @@ public final class WebTiles {
   /** Path of the file at the web port. */
   static final String PATH = "/tiles.pmtiles";
 
-  /** Maximum range, read by a connection's thread in one go. */
+  /** Maximum range, read in one go. */
   static final int LONGEST_RANGE = 1 << 20;
 
   private static final Pattern RANGE = Pattern.compile("bytes=([0-9]{1,18})-([0-9]{1,18})");
@@ -35,13 +38,19 @@ public final class WebTiles {
   private static final long LARGEST_UNSENT =
       Math.min(16L << 20, Runtime.getRuntime().maxMemory() / 16);
 
+  /** Maximum ranges that wait for the disk, which may hang. */
+  static final int MAX_WAITING = 64;
+
   private final FileChannel file;
   private final long size;
+  private final DiskThread disk;
   private final AtomicLong underWay = new AtomicLong();
+  private final Semaphore places = new Semaphore(MAX_WAITING);
 
-  private WebTiles(FileChannel file, long size) {
+  private WebTiles(FileChannel file, long size, DiskThread disk) {
     this.file = file;
     this.size = size;
+    this.disk = disk;
   }
 
   /**
@@ -50,6 +59,10 @@ public final class WebTiles {
    * @throws BadInputException if it is missing or not a PMTiles file
    */
   public static WebTiles open(Path path) {
+    return open(path, new DiskThread("u2sa-tiles"));
+  }
+
+  static WebTiles open(Path path, DiskThread disk) {
     if (!Files.isRegularFile(path)) {
       throw new BadInputException("WEB TILES: " + path + ": no such file; expected PMTiles");
     }
@@ -61,30 +74,49 @@ public final class WebTiles {
         throw new BadInputException(
             "WEB TILES: " + path + ": not PMTiles version 3; other formats are not converted");
       }
-      return new WebTiles(file, file.size());
+      return new WebTiles(file, file.size(), disk);
     } catch (IOException e) {
       throw new BadInputException("WEB TILES: " + path + ": " + e.getMessage(), e);
     }
   }
 
   /**
-   * The requested range: exactly one, within the file, at most 1 MiB. The sender must call {@link
-   * #sent}.
+   * Answers with the requested range: exactly one, within the file, at most 1 MiB. The sender must
+   * call {@link #sent}.
+   *
+   * @param answered receives the answer, possibly later on the disk's thread
    */
-  FullHttpResponse answer(HttpRequest request) {
+  void answer(HttpRequest request, Consumer<FullHttpResponse> answered) {
     Matcher range = RANGE.matcher(request.headers().get(HttpHeaderNames.RANGE, ""));
-    if (!range.matches()) {
-      return WebResponses.error(HttpResponseStatus.REQUESTED_RANGE_NOT_SATISFIABLE);
-    }
-    long from = Long.parseLong(range.group(1));
-    long length = Math.min(Long.parseLong(range.group(2)), size - 1) - from + 1;
+    long from = range.matches() ? Long.parseLong(range.group(1)) : size;
+    long to = range.matches() ? Math.min(Long.parseLong(range.group(2)), size - 1) : 0;
+    long length = to - from + 1;
     if (length < 1 || length > LONGEST_RANGE) {
-      return WebResponses.error(HttpResponseStatus.REQUESTED_RANGE_NOT_SATISFIABLE);
+      answered.accept(WebResponses.error(HttpResponseStatus.REQUESTED_RANGE_NOT_SATISFIABLE));
+    } else if (!isPlaceFor(length)) {
+      answered.accept(WebResponses.error(HttpResponseStatus.SERVICE_UNAVAILABLE));
+    } else {
+      disk.execute(
+          () -> {
+            places.release();
+            answered.accept(read(from, length));
+          });
     }
-    if (underWay.addAndGet(length) > Math.max(LONGEST_RANGE, LARGEST_UNSENT)) {
+  }
+
+  private boolean isPlaceFor(long length) {
+    if (!places.tryAcquire()) {
+      return false;
+    }
+    boolean fits = underWay.addAndGet(length) <= Math.max(LONGEST_RANGE, LARGEST_UNSENT);
+    if (!fits) {
+      places.release();
       underWay.addAndGet(-length);
-      return WebResponses.error(HttpResponseStatus.SERVICE_UNAVAILABLE);
     }
+    return fits;
+  }
+
+  private FullHttpResponse read(long from, long length) {
     ByteBuffer content = ByteBuffer.allocate((int) length);
     try {
       while (content.hasRemaining() && file.read(content, from + content.position()) >= 0) {

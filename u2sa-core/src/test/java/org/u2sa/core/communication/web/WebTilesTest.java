@@ -11,19 +11,25 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.disk.DiskThread;
 
 /** Ranges of a file of tiles. */
 class WebTilesTest {
   private static final int SIZE = 2_000_000;
 
   @TempDir private Path folder;
+  private final DiskThread disk = new DiskThread("test");
   private WebTiles tiles;
 
   @BeforeEach
@@ -32,14 +38,20 @@ class WebTilesTest {
     byte[] start = "PMTiles\u0003abcdef".getBytes(StandardCharsets.US_ASCII);
     System.arraycopy(start, 0, content, 0, start.length);
     content[SIZE - 1] = 'z';
-    tiles = WebTiles.open(Files.write(folder.resolve("map.pmtiles"), content));
+    tiles = WebTiles.open(Files.write(folder.resolve("map.pmtiles"), content), disk);
   }
 
   private FullHttpResponse answer(String range) {
+    return ask(range).orTimeout(60, TimeUnit.SECONDS).join();
+  }
+
+  private CompletableFuture<FullHttpResponse> ask(String range) {
     DefaultFullHttpRequest request =
         new DefaultFullHttpRequest(HttpVersion.HTTP_1_1, HttpMethod.GET, WebTiles.PATH);
     request.headers().set("Range", range);
-    return tiles.answer(request);
+    CompletableFuture<FullHttpResponse> answer = new CompletableFuture<>();
+    tiles.answer(request, answer::complete);
+    return answer;
   }
 
   @ParameterizedTest
@@ -84,6 +96,24 @@ class WebTilesTest {
 
     tiles.sent(WebTiles.LONGEST_RANGE);
     assertThat(answer("bytes=0-1048575").status().code()).isEqualTo(206);
+  }
+
+  @Test
+  void answer_diskHangs_doesNotWaitAndRefusesWhatIsTooMuch() {
+    CompletableFuture<String> answers = new CompletableFuture<>();
+    disk.execute(answers::join);
+    List<CompletableFuture<FullHttpResponse>> asked = new ArrayList<>();
+    for (int i = 0; i < WebTiles.MAX_WAITING; i++) {
+      asked.add(ask("bytes=8-10"));
+    }
+
+    assertThat(asked).noneMatch(CompletableFuture::isDone);
+    assertThat(answer("bytes=8-10").status().code()).isEqualTo(503);
+
+    answers.complete("now");
+    assertThat(asked)
+        .allMatch(each -> each.orTimeout(60, TimeUnit.SECONDS).join().status().code() == 206);
+    assertThat(answer("bytes=8-10").status().code()).isEqualTo(206);
   }
 
   @Test

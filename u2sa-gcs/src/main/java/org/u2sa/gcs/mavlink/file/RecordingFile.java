@@ -19,12 +19,14 @@ final class RecordingFile implements ReadableFile {
 
   private final Path file;
   private final long size;
+  private final RecordingDisk disk;
   private byte[] block = new byte[0];
   private long blockAt;
 
-  RecordingFile(Path file, long size) {
+  RecordingFile(Path file, long size, RecordingDisk disk) {
     this.file = file;
     this.size = size;
+    this.disk = disk;
   }
 
   @Override
@@ -39,7 +41,8 @@ final class RecordingFile implements ReadableFile {
       return new byte[0];
     }
     if (offset < blockAt || offset + wanted > blockAt + block.length) {
-      block = load(offset, (int) Math.min(Math.max(BLOCK, wanted), size - offset));
+      int much = (int) Math.min(Math.max(BLOCK, wanted), size - offset);
+      block = disk.answer(() -> load(offset, much));
       blockAt = offset;
     }
     int from = (int) (offset - blockAt);

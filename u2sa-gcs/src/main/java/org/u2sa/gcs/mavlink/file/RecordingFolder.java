@@ -22,9 +22,9 @@ public final class RecordingFolder {
    * @param size [B]
    * @param seconds time of its last change, since 1970 [s]
    */
-  record Entry(String name, Path file, long size, long seconds) {
+  record Entry(String name, Path file, long size, long seconds, RecordingDisk disk) {
     ReadableFile open() {
-      return new RecordingFile(file, size);
+      return new RecordingFile(file, size, disk);
     }
   }
 
@@ -34,6 +34,7 @@ public final class RecordingFolder {
   private static final long LARGEST = 0xFFFF_FFFFL; // the protocols count bytes in 32 bits
 
   private final Path folder;
+  private final RecordingDisk disk = new RecordingDisk();
 
   /** A folder, which need not exist yet. */
   public RecordingFolder(Path folder) {
@@ -42,6 +43,10 @@ public final class RecordingFolder {
 
   /** Recordings in the order of their names; the newest 256. */
   List<Entry> entries() throws IOException {
+    return disk.answer(this::listed);
+  }
+
+  private List<Entry> listed() throws IOException {
     if (!Files.isDirectory(folder)) {
       return List.of();
     }
@@ -62,7 +67,8 @@ public final class RecordingFolder {
                 each.getFileName().toString(),
                 each,
                 facts.size(),
-                facts.lastModifiedTime().toMillis() / 1000));
+                facts.lastModifiedTime().toMillis() / 1000,
+                disk));
       }
     }
     return entries;

@@ -1,4 +1,4 @@
-package org.u2sa.interfaces.log;
+package org.u2sa.interfaces.disk;
 
 import java.io.IOException;
 import java.util.concurrent.BlockingQueue;
@@ -12,27 +12,30 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 
 /**
- * The thread of this process that accesses log and progress files in real time, because a failing
- * memory card or a network drive may not answer for minutes. Jobs run one at a time in order; each
- * user bounds its pending jobs.
+ * A thread that accesses files in real time for those who must not wait, because a failing memory
+ * card or a network drive may not answer for minutes. Jobs run one at a time in order; each user
+ * bounds its pending jobs. Ends with the process.
  */
-public final class DiskWriter implements Executor {
-  private static final DiskWriter OF_PROCESS = new DiskWriter();
+public final class DiskThread implements Executor {
+  private static final DiskThread OF_PROCESS = new DiskThread("u2sa-disk");
 
   private final BlockingQueue<Runnable> jobs = new LinkedBlockingQueue<>();
   private final ThreadFactory threads;
   private Thread thread; // null until one could be started; guarded by this
 
-  DiskWriter() {
-    this(job -> new Thread(job, "u2sa-disk"));
+  /** Starts a thread of this name. */
+  public DiskThread(String name) {
+    this(job -> new Thread(job, name));
   }
 
-  DiskWriter(ThreadFactory threads) {
+  /** Starts a thread made by the factory. */
+  public DiskThread(ThreadFactory threads) {
     this.threads = threads;
     start(); // early: when the system is short of threads, the log is needed most
   }
 
-  public static DiskWriter ofProcess() {
+  /** The thread for log files, saved states and missions, and recordings of links. */
+  public static DiskThread ofProcess() {
     return OF_PROCESS;
   }
 

@@ -1,4 +1,4 @@
-package org.u2sa.interfaces.log;
+package org.u2sa.interfaces.disk;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -27,7 +27,7 @@ class ReplacedFileTest {
   }
 
   private void hang() {
-    DiskWriter.ofProcess()
+    DiskThread.ofProcess()
         .execute(
             () -> {
               try {

@@ -15,11 +15,12 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.u2sa.interfaces.disk.DiskThread;
 import org.u2sa.interfaces.time.SystemClock;
 
 /** Logs when the system has no thread or no memory left. */
 @Timeout(120)
-class DiskWriterTest extends LogFileFixture {
+class DiskThreadTest extends LogFileFixture {
   private static final long WITHIN_MS = 60_000;
 
   private final AtomicBoolean isShort = new AtomicBoolean();
@@ -40,7 +41,7 @@ class DiskWriterTest extends LogFileFixture {
     };
   }
 
-  private LogFile log(DiskWriter disk, LogFile.Opener opener) throws IOException {
+  private LogFile log(DiskThread disk, LogFile.Opener opener) throws IOException {
     return new LogFile(
         folder.resolve("Control.log"),
         "Control",
@@ -59,7 +60,7 @@ class DiskWriterTest extends LogFileFixture {
   @Test
   void execute_noThreadLeft_runsTheJobsInOrderOnceThereIsOne() throws IOException {
     isShort.set(true);
-    DiskWriter disk = new DiskWriter(this::made);
+    DiskThread disk = new DiskThread(this::made);
     disk.execute(() -> done.add("a"));
     isShort.set(false);
 
@@ -68,7 +69,7 @@ class DiskWriterTest extends LogFileFixture {
 
   @Test
   void execute_threadsRunOutLater_keepsTheThreadItHas() throws IOException {
-    DiskWriter disk = new DiskWriter(this::made);
+    DiskThread disk = new DiskThread(this::made);
     isShort.set(true);
     disk.execute(
         () -> {
@@ -84,7 +85,7 @@ class DiskWriterTest extends LogFileFixture {
   @Test
   void log_noThreadLeft_returnsAndWritesTheLineLater() throws IOException {
     isShort.set(true);
-    try (LogFile log = log(new DiskWriter(this::made), DiskWriterTest::file)) {
+    try (LogFile log = log(new DiskThread(this::made), DiskThreadTest::file)) {
       log.log(LogLevelEnum.INFO, "a");
       isShort.set(false);
       log.log(LogLevelEnum.INFO, "b");
@@ -108,7 +109,7 @@ class DiskWriterTest extends LogFileFixture {
                 out.write(bytes);
               }
             };
-    try (LogFile log = log(new DiskWriter(this::made), opener)) {
+    try (LogFile log = log(new DiskThread(this::made), opener)) {
       log.log(LogLevelEnum.INFO, "a");
       log.log(LogLevelEnum.INFO, "b");
     }

@@ -1,4 +1,4 @@
-package org.u2sa.interfaces.log;
+package org.u2sa.interfaces.disk;
 
 import java.io.IOException;
 import java.util.concurrent.Callable;
@@ -7,7 +7,7 @@ import java.util.function.Consumer;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * A file that is replaced atomically. In real time the {@link DiskWriter} writes it, and only the
+ * A file that is replaced atomically. In real time the {@link DiskThread} writes it, and only the
  * last of several pending changes; in simulated time the caller writes it.
  */
 public final class ReplacedFile {
@@ -33,7 +33,7 @@ public final class ReplacedFile {
     if (atOnce) {
       make(change, failed);
     } else if (waiting.getAndSet(change) == null) {
-      DiskWriter.ofProcess().execute(() -> make(waiting.getAndSet(null), failed));
+      DiskThread.ofProcess().execute(() -> make(waiting.getAndSet(null), failed));
     }
   }
 
@@ -51,7 +51,7 @@ public final class ReplacedFile {
    * @throws IOException if reading throws it, or the disk does not answer within 5 s
    */
   public <T> T read(Callable<T> reading) throws IOException {
-    return atOnce ? now(reading) : DiskWriter.ofProcess().call(reading, READS_WITHIN_MS);
+    return atOnce ? now(reading) : DiskThread.ofProcess().call(reading, READS_WITHIN_MS);
   }
 
   private static <T> T now(Callable<T> reading) throws IOException {
