@@ -414,6 +414,7 @@ MESSAGES = [
         ('serviceName', 'text', 'optional', None, None, None, (), 3, 255, False),
         ('commandTypes', 'texts', 'optional', None, None, None, (), 3, None, False),
         ('withheld', 'bool', 'optional', None, None, None, (), 3, None, False),
+        ('percentage', 'float64', 'optional', None, -100.0, 100.0, (), 3, None, False),
     ]),
     (('GoalCommand',), False, [
         ('systemId', 'text', 'optional', None, None, None, (), 1, 255, False),

@@ -187,6 +187,15 @@ public final class CommandedActuators {
     }
   }
 
+  /** Announces the position that an actuator has taken [%], unless the actuator is unannounced. */
+  public void hasTaken(String actuator, double percent) {
+    ActuatorAnnouncement announced = announcements.get(actuator);
+    if (announced != null) {
+      announced.percentage(percent);
+      announceNow();
+    }
+  }
+
   /** {@link #available(String, double)} of all actuators, which share a device. */
   public void available(double percent) {
     boolean changes = false;

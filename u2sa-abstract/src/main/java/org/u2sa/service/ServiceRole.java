@@ -53,7 +53,8 @@ public enum ServiceRole {
   /** Maintains the map of objects (3.2.3.3). */
   WORLD_MODELER(List.of(OBJECTS, GRID), List.of(SENSED_OBJECTS, SCANS, STATE, GOALS)),
   /** Decides where to go next (3.2.3.4). */
-  PATH_PLANNER(List.of(NAVIGATION, GOAL_REPORTS, PLANS), List.of(STATE, OBJECTS, GRID, GOALS)),
+  PATH_PLANNER(
+      List.of(NAVIGATION, GOAL_REPORTS, PLANS), List.of(STATE, OBJECTS, GRID, GOALS, ACTUATORS)),
   /** Turns navigation points into commands (3.2.3.5). */
   CONTROL_SYSTEM(List.of(ACTUATION), List.of(NAVIGATION, STATE, ACTUATORS, GOALS)),
   /** Drives actuators (3.2.2.5). */

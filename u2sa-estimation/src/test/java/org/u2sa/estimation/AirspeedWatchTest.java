@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.testkit.ServiceKit;
 
@@ -21,6 +22,7 @@ class AirspeedWatchTest {
 
   private final ServiceKit kit = new ServiceKit();
   private FusingStateEstimator estimator;
+  private double altitudeM = 100.0;
 
   @BeforeEach
   void start() {
@@ -56,7 +58,7 @@ class AirspeedWatchTest {
         .sensorName("GPS")
         .x(place.longitudeDeg())
         .y(place.latitudeDeg())
-        .z(100.0)
+        .z(altitudeM)
         .xSigma(1.0)
         .ySigma(1.0)
         .zSigma(1.0)
@@ -153,7 +155,7 @@ class AirspeedWatchTest {
     assertThat(log()).contains("contradicts");
     circle(120.0, 5.0, 0.0);
 
-    assertThat(log()).contains("Pitot tube agrees with ground speed and another wind");
+    assertThat(log()).contains("Pitot tube agrees with ground speed and wind again");
     assertThat(airspeedMps()).isCloseTo(AIR_MPS, within(1.0));
   }
 
@@ -165,5 +167,60 @@ class AirspeedWatchTest {
 
     assertThat(log()).doesNotContain("agrees");
     assertThat(airspeedMps()).isCloseTo(AIR_MPS, within(2.5));
+  }
+
+  /**
+   * Climbs at a rate [m/s] over ground as before, with the tube blocked at 100 m.
+   *
+   * @return what the tube reads at the end [m/s]
+   */
+  private double flyBlocked(double seconds, double climbMps) {
+    double fromM = altitudeM;
+    fly(
+        seconds,
+        s -> {
+          altitudeM = fromM + climbMps * s;
+          return blockedMps();
+        });
+    return blockedMps();
+  }
+
+  private double blockedMps() {
+    return Math.sqrt(AIR_MPS * AIR_MPS + 2.0 * Gravity.STANDARD_MPS2 * (altitudeM - 100.0));
+  }
+
+  @Test
+  void callback_blockedTubeBackAtTheAltitudeOfTheBlock_staysReplaced() {
+    fly(60.0, s -> AIR_MPS);
+    flyBlocked(10.0, -2.0);
+    assertThat(log()).contains("contradicts");
+    flyBlocked(10.0, 2.0);
+    assertThat(flyBlocked(30.0, 0.0)).isCloseTo(AIR_MPS, within(0.1));
+    assertThat(flyBlocked(2.0, -10.0)).isLessThan(16.0);
+
+    assertThat(log()).doesNotContain("agrees");
+    assertThat(airspeedMps()).isCloseTo(AIR_MPS, within(1.0));
+  }
+
+  @Test
+  void callback_tubeBlockedSoonAfterTheStart_isReplacedInTheFirstClimb() {
+    fly(4.0, s -> AIR_MPS);
+    assertThat(flyBlocked(20.0, 3.0)).isGreaterThan(34.0);
+
+    assertThat(log()).contains("Pitot tube contradicts ground speed and wind by 9 m/s");
+    assertThat(airspeedMps()).isCloseTo(AIR_MPS, within(1.0));
+  }
+
+  @Test
+  void callback_soundTubeInTheFirstClimbIntoMoreWind_counts() {
+    fly(
+        14.0,
+        s -> {
+          altitudeM = 100.0 + 3.0 * s;
+          return AIR_MPS + 0.5 * s;
+        });
+
+    assertThat(log()).doesNotContain("contradicts");
+    assertThat(airspeedMps()).isCloseTo(AIR_MPS + 7.0, within(1.0));
   }
 }

@@ -29,6 +29,7 @@ import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.guidance.ViewPoints;
 import org.u2sa.planning.guidance.WaypointGuidance;
+import org.u2sa.planning.payload.PayloadReleases;
 import org.u2sa.planning.rightofway.RightOfWayVariables;
 import org.u2sa.planning.rightofway.RightOfWayWatch;
 import org.u2sa.planning.survey.SurveyHeights;
@@ -41,7 +42,7 @@ import org.u2sa.service.handover.HandOver;
 
 /**
  * Plans the path to the current goal (thesis 3.2.3.4): a state machine with one state per class of
- * goals. In: state, goals, failsafe, manual-state, fence. Out: navigation, goal-reports.
+ * goals. In: state, goals, failsafe, manual-state, fence, actuators. Out: navigation, goal-reports.
  *
  * <p>It plans once per state estimate, so without fresh states it publishes no navigation points.
  * On request of a failsafe it holds its position, as at the mission's end, or publishes none. The
@@ -103,6 +104,7 @@ public class PathPlanner extends EventDrivenService {
     Settings<FlightVariables> flight = settings(FlightVariables.class);
     StationCircle circle =
         new StationCircle(detour, this::lines, () -> settings.get().loiterRadius(), flight);
+    PayloadReleases releases = new PayloadReleases();
     states =
         new PlannerStates(
             List.of(
@@ -113,7 +115,7 @@ public class PathPlanner extends EventDrivenService {
                     avoidance, guidance, survey, seeing, this::lines, new SurveyHeights(terrain)),
                 new TakeOffState(this::lines, flight),
                 new LandingState(detour, this::lines, circle, flight),
-                new PayloadDropState(detour, this::lines, flight)));
+                new PayloadDropState(detour, this::lines, flight, releases)));
     states.discover(this, new PlannerSurroundings(avoidance, this::missionS));
     ground = new GroundStay(flight, this::isAeroplane);
     end = new EndOfMission(settings, this::lines, guidance, ground::raised);
@@ -127,6 +129,7 @@ public class PathPlanner extends EventDrivenService {
     subscribe(Channels.MANUAL_STATE, this::onManual);
     subscribe(Channels.FENCE, avoidance::see);
     subscribe(Channels.ARMING_STATE, ground::heed);
+    subscribe(Channels.ACTUATORS, releases::see);
     FirstFailsafe first = new FirstFailsafe(this, context);
     subscribe(
         Channels.FAILSAFE,

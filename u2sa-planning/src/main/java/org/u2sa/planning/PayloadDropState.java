@@ -17,15 +17,21 @@ import org.u2sa.planning.guidance.LineGuidance;
 import org.u2sa.planning.guidance.LineSettings;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
+import org.u2sa.planning.payload.Fall;
+import org.u2sa.planning.payload.PayloadReleases;
 import org.u2sa.service.handover.HandOver;
 
 /**
  * {@link PayloadDrop}: flies such that the computed fall ends at the position, passing upwind of it
- * in a crosswind, and releases the payload. A multirotor hovers upwind of it.
+ * in a crosswind, and releases the payload. A multirotor hovers upwind of it. Completed if the
+ * release mechanism reports that it has moved.
  */
 final class PayloadDropState implements PlannerState {
   private static final int ATTEMPTS = 3;
-  private static final double RELEASING_S = 1.0; // duration of the release command
+  private static final double RELEASING_S = 1.0; // minimum duration of the release command
+  private static final double CONFIRMED_S = 2.0; // after this and the delay, nothing was released
+  private static final double SAFE_S = 1.5; // between two commands: the mechanism locks
+  private static final double ANNOUNCED_S = 10.0; // within which mechanisms have been announced
   private static final double HOVERS_MPS = 0.5;
   private static final double HOVER_SHARE = 0.5; // of the threshold, when hovering
   private static final double HEIGHT_ERROR_M = 2.0; // without vertical threshold
@@ -34,15 +40,24 @@ final class PayloadDropState implements PlannerState {
   private final Detour detour;
   private final Supplier<LineSettings> lines;
   private final Supplier<FlightVariables> settings;
+  private final PayloadReleases releases;
   private final LineGuidance guidance;
+  private long enteredMicros;
   private double altitudeM; // altitude on the way there
   private int attempts;
   private double beforeM; // distance by which the fall ended short at the last state
   private long releasedMicros;
+  private boolean isReported; // by the mechanism
+  private int changesBefore; // of the mechanism's position
+  private long commandedMicros; // when a release was last commanded
   private String remark = "";
 
   PayloadDropState(
-      Detour detour, Supplier<LineSettings> lines, Supplier<FlightVariables> settings) {
+      Detour detour,
+      Supplier<LineSettings> lines,
+      Supplier<FlightVariables> settings,
+      PayloadReleases releases) {
+    this.releases = releases;
     this.detour = detour;
     this.lines = lines;
     this.settings = settings;
@@ -62,7 +77,9 @@ final class PayloadDropState implements PlannerState {
 
   @Override
   public void enter(Pursuit pursuit) {
-    altitudeM = Vehicle.of(pursuit.state()).orElseThrow().place().upM().orElse(0.0);
+    Vehicle vehicle = Vehicle.of(pursuit.state()).orElseThrow();
+    altitudeM = vehicle.place().upM().orElse(0.0);
+    enteredMicros = vehicle.timestampMicros();
     attempts = 1;
     releasedMicros = Long.MIN_VALUE;
     approach();
@@ -73,6 +90,7 @@ final class PayloadDropState implements PlannerState {
     if (releasedMicros != Long.MIN_VALUE) {
       state.number("DROP RELEASED", Clock.seconds(releasedMicros)).number("DROP FROM", altitudeM);
       state.text("DROP REMARK", remark);
+      state.flag("DROP REPORTED", isReported);
     }
   }
 
@@ -85,6 +103,7 @@ final class PayloadDropState implements PlannerState {
     releasedMicros = Clock.micros(state.number("DROP RELEASED").getAsDouble());
     altitudeM = state.number("DROP FROM").orElseThrow();
     remark = state.text("DROP REMARK").orElse("");
+    isReported = state.flag("DROP REPORTED");
     approach();
     return true;
   }
@@ -150,9 +169,22 @@ final class PayloadDropState implements PlannerState {
                 && miss.distance() <= HOVER_SHARE * goal.horizontalThreshold()
             : beforeM > 0.0 && shortM <= 0.0 && Math.abs(across) <= goal.horizontalThreshold();
     beforeM = shortM;
-    boolean isNow = isAbove && Math.abs(highM) <= mostM;
+    long now = vehicle.timestampMicros();
+    Optional<String> missing = releases.missing(goal.payload());
+    if (releasedMicros == Long.MIN_VALUE
+        && missing.isPresent()
+        && Clock.seconds(now - enteredMicros) > ANNOUNCED_S) {
+      return Plan.unless(missing, List.of(point));
+    }
+    boolean isNow =
+        isAbove
+            && Math.abs(highM) <= mostM
+            && missing.isEmpty()
+            && now - commandedMicros >= Clock.micros(SAFE_S);
     if (releasedMicros == Long.MIN_VALUE && isNow) {
-      releasedMicros = vehicle.timestampMicros();
+      releasedMicros = now;
+      isReported = false;
+      changesBefore = releases.changes(goal.payload());
       remark =
           String.format(
               Locale.ROOT,
@@ -176,9 +208,17 @@ final class PayloadDropState implements PlannerState {
   }
 
   private Plan released(PayloadDrop goal, Vehicle vehicle, NavigationPoint point, Point to) {
-    if (Clock.seconds(vehicle.timestampMicros() - releasedMicros) >= RELEASING_S) {
+    long now = vehicle.timestampMicros();
+    isReported |= releases.changes(goal.payload()) > changesBefore;
+    double sinceS = Clock.seconds(now - releasedMicros);
+    if (isReported && sinceS >= RELEASING_S) {
       return new Plan(List.of(point), Plan.Progress.COMPLETED, remark);
     }
+    if (!isReported && sinceS >= CONFIRMED_S + settings.get().releaseDelay()) {
+      return Plan.unless(
+          Optional.of("\"" + goal.payload() + "\" did not report a release"), List.of(point));
+    }
+    commandedMicros = now;
     NavigationPoint release = NavigationPoint.at(vehicle.body(to)).subsystem(goal.payload());
     return Plan.underWay(List.of(point, release));
   }

@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Supplier;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
@@ -15,12 +16,22 @@ import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.service.handover.HandOver;
 
-/** {@link TakeOff}: along the runway and its extension, or vertically, to the altitude. */
+/**
+ * {@link TakeOff}: along the runway and its extension, or vertically, to the altitude. Abandoned if
+ * the vehicle moves, but does not climb for a minute.
+ */
 final class TakeOffState implements PlannerState {
+  private static final double CLIMBS_WITHIN_S = 60.0;
+  private static final double CLIMBS_M = 1.0;
+  private static final double FLIES_M = 2.0; // above the start
+  private static final double FLIES_MPS = 5.0; // or rolls
+
   private final Supplier<LineSettings> lines;
   private final Supplier<FlightVariables> settings;
   private Optional<Place> from = Optional.empty();
   private double headingRad;
+  private double highestM; // above the start
+  private long climbedMicros; // when it came there, or last stood
 
   TakeOffState(Supplier<LineSettings> lines, Supplier<FlightVariables> settings) {
     this.lines = lines;
@@ -45,6 +56,7 @@ final class TakeOffState implements PlannerState {
   private void begin(TakeOff goal, Vehicle vehicle) {
     from = Optional.of(vehicle.place());
     headingRad = goal.psi().orElse(vehicle.headingRad());
+    highestM = Double.NEGATIVE_INFINITY;
   }
 
   @Override
@@ -56,6 +68,7 @@ final class TakeOffState implements PlannerState {
   @Override
   public boolean takeOver(HandOver state) {
     from = Place.takenOver(state, "TAKE OFF");
+    highestM = Double.NEGATIVE_INFINITY;
     OptionalDouble heading = state.number("TAKE OFF HEADING");
     heading.ifPresent(known -> headingRad = known);
     return from.isPresent() && heading.isPresent();
@@ -83,9 +96,21 @@ final class TakeOffState implements PlannerState {
     goal.speed().ifPresent(point::speed);
     List<NavigationPoint> points = List.of(point);
     if (-downM > goal.verticalThreshold().orElse(settings.get().takeOffAccuracy())) {
-      return Plan.underWay(points);
+      return Plan.unless(stopsClimbing(vehicle, start.z()), points);
     }
     String remark = String.format(Locale.ROOT, "in the air, %.1f m above it", downM);
     return new Plan(points, Plan.Progress.COMPLETED, remark);
+  }
+
+  private Optional<String> stopsClimbing(Vehicle vehicle, double heightM) {
+    boolean stands = heightM < FLIES_M && vehicle.speedMps() < FLIES_MPS;
+    if (stands || heightM > highestM + CLIMBS_M) {
+      highestM = heightM;
+      climbedMicros = vehicle.timestampMicros();
+    }
+    return Clock.seconds(vehicle.timestampMicros() - climbedMicros) > CLIMBS_WITHIN_S
+        ? Optional.of(
+            String.format(Locale.ROOT, "no higher than %.0f m for a minute", highestM + CLIMBS_M))
+        : Optional.empty();
   }
 }

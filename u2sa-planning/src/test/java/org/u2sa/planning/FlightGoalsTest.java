@@ -14,6 +14,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -42,6 +43,9 @@ class FlightGoalsTest {
   private double heading;
   private double roll;
   private boolean released;
+  private boolean isStuck; // the release mechanism
+  private int drops; // each after a second without a command
+  private double commandedS = -10.0;
   private double tooHighM; // its altitude as known
   private Optional<Sphere> tower = Optional.empty();
   private double nearestM = Double.POSITIVE_INFINITY; // to the middle of the tower
@@ -91,6 +95,10 @@ class FlightGoalsTest {
             .fluidzDot(through.z());
     state.timestamp(kit.clock().micros());
     tower.ifPresent(this::passBy);
+    ActuatorAnnouncement release = new ActuatorAnnouncement().minimum(0.0).maximum(100.0);
+    kit.publish(
+        Channels.ACTUATORS,
+        release.actuatorName("BOTTLE").percentage(drops > 0 && isCommanded() ? 100.0 : 0.0));
     kit.publish(Channels.STATE, state);
     Point to = Point.ORIGIN;
     for (NavigationPoint point : kit.<NavigationPoint>published(Channels.NAVIGATION)) {
@@ -101,6 +109,8 @@ class FlightGoalsTest {
         to = new Attitude(0.0, 0.0, heading).nedOf(point.point());
       } else {
         released |= point.subsystem().equals("BOTTLE");
+        drops += isStuck || isCommanded() ? 0 : 1;
+        commandedS = kit.nowS();
       }
     }
     double level = Math.hypot(to.x(), to.y());
@@ -115,6 +125,10 @@ class FlightGoalsTest {
     }
     ned = ned.plus(velocity.times(STEP_S));
     return to;
+  }
+
+  private boolean isCommanded() {
+    return kit.nowS() - commandedS < 1.0;
   }
 
   private void passBy(Sphere obstacle) {
@@ -154,6 +168,21 @@ class FlightGoalsTest {
 
     assertThat(reports().get(0).completed()).isTrue();
     assertThat(Math.hypot(ned.x(), ned.y())).isLessThan(0.1);
+  }
+
+  @Test
+  void takeOff_aeroplaneThatNoLongerClimbs_isGivenUpAfterAMinute() {
+    plane();
+    pursue(new TakeOff().z(-60.0));
+    double startedS = kit.nowS();
+    while (reports().isEmpty() && kit.nowS() < startedS + 200.0) {
+      step(20.0);
+      ned = Point.of(ned.x(), ned.y(), Math.max(-25.0, ned.z()));
+    }
+
+    assertThat(reports().get(0).abandoned()).isTrue();
+    assertThat(reports().get(0).reason()).contains("given up: no higher than 25 m for a minute");
+    assertThat(kit.nowS() - startedS).isBetween(60.0, 75.0);
   }
 
   /** A drop of which the wind blows across, scored by an integration of its own. */
@@ -208,6 +237,53 @@ class FlightGoalsTest {
     }
     assertThat(released).isTrue();
     assertThat(-ned.z()).isBetween(8.0, 12.0);
+  }
+
+  private PayloadDrop hoverAndDrop(String payload) {
+    kit.start(PathPlanner::new);
+    ned = Point.of(0.0, 0.0, -10.0);
+    PayloadDrop drop = new PayloadDrop().payload(payload).height(10.0);
+    drop.z(0.0).x(0.0).y(0.0);
+    pursue(drop);
+    return drop;
+  }
+
+  private GoalInformation report() {
+    int known = reports().size();
+    for (int i = 0; i < 1000 && reports().size() == known; i++) {
+      step(5.0);
+    }
+    return reports().get(known);
+  }
+
+  @Test
+  void payloadDrop_unknownPayload_isGivenUpNamingTheKnownOnes() {
+    hoverAndDrop("BOTTEL");
+
+    assertThat(report().abandoned()).isTrue();
+    assertThat(reports().get(0).reason().orElseThrow())
+        .contains("\"BOTTEL\" is not a mechanism that reports its release; there: BOTTLE");
+    assertThat(released).isFalse();
+  }
+
+  @Test
+  void payloadDrop_mechanismThatDoesNotMove_isGivenUp() {
+    isStuck = true;
+    hoverAndDrop("BOTTLE");
+
+    assertThat(report().abandoned()).isTrue();
+    assertThat(reports().get(0).reason().orElseThrow()).contains("did not report a release");
+    assertThat(released).isTrue();
+  }
+
+  @Test
+  void payloadDrop_twoAtTheSamePlace_releasesTwice() {
+    GoalInformation first = hoverAndDrop("BOTTLE");
+    assertThat(report().completed()).isTrue();
+    kit.publish(Channels.GOALS, new GoalList().goals(List.of(first.copy().uid("H"))));
+
+    assertThat(report().completed()).isTrue();
+    assertThat(drops).isEqualTo(2);
   }
 
   @Test

@@ -96,13 +96,15 @@ public final class SwitchedActuator extends PeriodicService implements ActuatorO
 
   @Override
   public List<ActuatorAnnouncement> actuators() {
-    return List.of(
+    ActuatorAnnouncement announcement =
         new ActuatorAnnouncement()
             .actuatorName(actuatorName)
             .subsystem(variables.subsystem())
             .minimum(0.0)
             .maximum(ALL_PERCENT)
-            .effect(positions.toString()));
+            .effect(positions.toString());
+    level.ifPresent(announcement::percentage);
+    return List.of(announcement);
   }
 
   @Override
@@ -158,6 +160,7 @@ public final class SwitchedActuator extends PeriodicService implements ActuatorO
     if (level.isEmpty() || level.getAsDouble() != percent) {
       level = OptionalDouble.of(percent);
       log(positions.name(percent));
+      commands.hasTaken(actuatorName, percent);
     }
   }
 

@@ -1,11 +1,13 @@
 package org.u2sa.control.fixedwing;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
 import org.u2sa.control.ControlSystem;
+import org.u2sa.control.LandingGoals;
 import org.u2sa.control.Transfer;
 import org.u2sa.control.allocation.ActuatorRoster;
 import org.u2sa.interfaces.communication.Channels;
@@ -24,10 +26,11 @@ import org.u2sa.service.handover.HandOver;
 
 /**
  * Flies a Cessna 172, or another aeroplane given its gains and speeds, autonomously from the runway
- * along its mission. In: state, navigation, arming-state. Out: actuation (aileron, elevator,
- * rudder, throttle, mixture, flaps, brakes, once per state), control-status. Without fresh
- * navigation it holds wings level and altitude, then circles; on the ground it holds the brakes. If
- * navigation leads to the ground, it lands. Disarmed and at rest, it keeps the throttle closed.
+ * along its mission. In: state, navigation, arming-state, goals. Out: actuation (aileron, elevator,
+ * rudder, throttle, mixture, flaps, brakes, once per state), control-status, goal-reports (of
+ * landings that it cannot fly). Without fresh navigation it holds wings level and altitude, then
+ * circles; on the ground it holds the brakes. If navigation leads to the ground, it lands. Disarmed
+ * and at rest, it keeps the throttle closed.
  */
 public final class CessnaControl extends ControlSystem {
   private static final double STATUS_INTERVAL_S = 1.0;
@@ -50,6 +53,7 @@ public final class CessnaControl extends ControlSystem {
   private final FlightStateReader reader =
       new FlightStateReader(settings(GroundReference.Variables.class));
   private final ActuatorRoster roster = new ActuatorRoster();
+  private final LandingGoals landings = new LandingGoals();
   private SurfaceMixing mixing = SurfaceMixing.SOUND;
   private Autopilot autopilot;
   private ManualState byHand = new ManualState(); // by the pilot's radio
@@ -68,7 +72,9 @@ public final class CessnaControl extends ControlSystem {
     subscribe(Channels.ACTUATORS, announced -> roster.see(announced, clock().micros()));
     subscribe(Channels.MANUAL_STATE, this::onManual);
     subscribe(Channels.ARMING_STATE, state -> isArmed = state.armed());
+    subscribe(Channels.GOALS, goals -> landings.see(goals, clock().micros()));
     registerPublisher(ControlStatus.CHANNEL);
+    registerPublisher(Channels.GOAL_REPORTS);
   }
 
   private void onManual(ManualState state) {
@@ -128,6 +134,9 @@ public final class CessnaControl extends ControlSystem {
       lacking(reader.missing(state));
       return;
     }
+    landings
+        .refused(reader.cannotLand(state), clock().micros())
+        .ifPresent(report -> publish(Channels.GOAL_REPORTS, report));
     loggedMissing = List.of();
     if (isByHand()) {
       return;
@@ -235,6 +244,14 @@ public final class CessnaControl extends ControlSystem {
           "phase " + phase + (navigating ? "" : ", no navigation: " + without(phase)));
       if (phase == FlightPhase.GO_AROUND && phase != loggedPhase) {
         log(LogLevelEnum.ERROR, autopilot.refusalWords());
+      }
+      if (phase == FlightPhase.STOPPED && loggedPhase == FlightPhase.ROLL) {
+        trouble(
+            String.format(
+                Locale.ROOT,
+                "take-off rejected at %.0f m/s over ground, calibrated airspeed %.0f m/s",
+                state.groundSpeedMps(),
+                state.calibratedAirspeedMps()));
       }
       loggedPhase = phase;
       loggedNavigating = navigating;

@@ -70,6 +70,19 @@ final class FlightStateReader {
     return settings.get().ground() == GroundReference.Source.START && !ground.isKnown();
   }
 
+  /** Why a landing cannot be flown with such a state; empty if it can. */
+  Optional<String> cannotLand(StateInformation state) {
+    if (state instanceof AircraftState known && known.heightAboveGround().isPresent()) {
+      return Optional.empty();
+    }
+    if (lacksGround()) {
+      return Optional.of("the altitude of the ground is unknown: started in flight");
+    }
+    return settings.get().ground() == GroundReference.Source.START
+        ? Optional.empty()
+        : Optional.of("the state has no height above ground, and GROUND is not START");
+  }
+
   /** Saves the origin of north and east. */
   void handOver(HandOver state) {
     if (ground.isKnown()) {

@@ -29,6 +29,7 @@ final class TakeOffSequence {
   private static final double LIFTED_FOR_S = 0.3; // shorter lift-offs are hops
   private static final double LANDED_FOR_S = 1.0;
   private static final double STANDS_MPS = 1.0;
+  private static final double MAX_TAIL_WIND_MPS = 15.0; // more means a wrong airspeed
 
   private final Variables parameters;
   private final double rotationMps; // in calm air
@@ -110,9 +111,10 @@ final class TakeOffSequence {
         if (state.calibratedAirspeedMps() >= rotateMps) {
           yield FlightPhase.ROTATE;
         }
-        // Disarmed, or without navigation or power, reject it while braking is possible.
+        // Disarmed, or without navigation, power or airspeed, reject it while braking is possible.
         boolean isLed = isArmed && flying != FlightPhase.HOLD;
-        yield isLed && state.engineRpm() >= parameters.readyRpm()
+        boolean isSensed = state.groundSpeedMps() - state.trueAirspeedMps() < MAX_TAIL_WIND_MPS;
+        yield isLed && isSensed && state.engineRpm() >= parameters.readyRpm()
             ? FlightPhase.ROLL
             : FlightPhase.STOPPED;
       }

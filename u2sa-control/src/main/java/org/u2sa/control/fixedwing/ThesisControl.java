@@ -3,6 +3,8 @@ package org.u2sa.control.fixedwing;
 import java.util.Map;
 import java.util.Optional;
 import org.u2sa.control.ControlSystem;
+import org.u2sa.control.LandingGoals;
+import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.NavigationPoint;
@@ -12,26 +14,33 @@ import org.u2sa.service.ServiceContext;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * Control of the thesis's Cessna (4.5.2.5), kept for teaching. In: state, navigation. Out:
- * actuation. It keeps an aircraft airborne and flies it past waypoints in calm air; airspeed, wind,
- * stall and runway are not considered; for those see {@link CessnaControl}. Without fresh
- * navigation it sends no commands, and actuators go neutral when their commands expire.
+ * Control of the thesis's Cessna (4.5.2.5), kept for teaching. In: state, navigation, goals. Out:
+ * actuation, goal-reports (of landings, which it cannot fly). It keeps an aircraft airborne and
+ * flies it past waypoints in calm air; airspeed, wind, stall and runway are not considered; for
+ * those see {@link CessnaControl}. Without fresh navigation it sends no commands, and actuators go
+ * neutral when their commands expire.
  */
 public final class ThesisControl extends ControlSystem {
   private static final double FULL_PERCENT = 100.0;
 
   private final FlightStateReader reader = new FlightStateReader();
+  private final LandingGoals landings = new LandingGoals();
   private final ThesisLaw law;
 
   public ThesisControl(ServiceContext context) {
     super(context, "Control");
     law = new ThesisLaw(settings(ThesisLaw.Variables.class).get());
+    subscribe(Channels.GOALS, goals -> landings.see(goals, clock().micros()));
+    registerPublisher(Channels.GOAL_REPORTS);
   }
 
   @Override
   protected void control(StateInformation state, Optional<NavigationPoint> point) {
     Optional<FlightState> seen = reader.read(state);
     Optional<Point> ned = point.flatMap(this::nedOf);
+    landings
+        .refused(Optional.of("it does not flare"), clock().micros())
+        .ifPresent(report -> publish(Channels.GOAL_REPORTS, report));
     if (seen.isEmpty() || ned.isEmpty()) {
       return;
     }

@@ -217,6 +217,19 @@ class SwitchedActuatorTest {
   }
 
   @Test
+  void release_whileItFires_announcesThatItHasMoved() {
+    kit.with("FIRE TIME", 0.5);
+    start(SwitchKind.RELEASE);
+    arm(true);
+    command(0.0, 0.5);
+    assertThat(kit.latest(Channels.ACTUATORS).orElseThrow().percentage()).hasValue(0.0);
+    command(100.0, 1.2);
+    assertThat(kit.latest(Channels.ACTUATORS).orElseThrow().percentage()).hasValue(100.0);
+    command(100.0, 0.5);
+    assertThat(kit.latest(Channels.ACTUATORS).orElseThrow().percentage()).hasValue(0.0);
+  }
+
+  @Test
   void begin_announcesPositions() {
     kit.with("POSITIONS", "OFF 0, LOW 20, HIGH 100");
     start(SwitchKind.LIGHT);

@@ -63,6 +63,8 @@ public final class ActuatorAnnouncement extends U2SAData {
       SCHEMA.optionalTexts("commandTypes");
   private static final ValueField<ActuatorAnnouncement, Boolean> WITHHELD =
       SCHEMA.optionalFlag("withheld");
+  private static final NumberField<ActuatorAnnouncement> PERCENTAGE =
+      SCHEMA.optionalNumber("percentage", "%", -100.0, 100.0);
 
   public static final MessageType<ActuatorAnnouncement> TYPE = SCHEMA.build();
 
@@ -249,6 +251,15 @@ public final class ActuatorAnnouncement extends U2SAData {
 
   public ActuatorAnnouncement withheld(boolean value) {
     return put(WITHHELD, value);
+  }
+
+  /** Level of the position that a switched payload has taken [%]; empty: it does not report it. */
+  public OptionalDouble percentage() {
+    return get(PERCENTAGE);
+  }
+
+  public ActuatorAnnouncement percentage(double value) {
+    return put(PERCENTAGE, value);
   }
 
   /**

@@ -271,6 +271,13 @@ final class GoldenFormat3 {
             .maximum(100.0)
             .withheld(true));
     golden.add(
+        "ActuatorAnnouncement-percentage",
+        new ActuatorAnnouncement()
+            .actuatorName("RELEASE")
+            .minimum(0.0)
+            .maximum(100.0)
+            .percentage(100.0));
+    golden.add(
         "MissionReport-paused",
         new MissionReport().requestId("q2").serviceName("MissionManager").paused(true));
     golden.add(

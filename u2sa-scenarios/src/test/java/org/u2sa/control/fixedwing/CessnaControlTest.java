@@ -17,6 +17,9 @@ import org.u2sa.messages.command.ActuatorCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.contract.ConfigurationChange;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.ManualOrder;
 import org.u2sa.messages.safety.ManualState;
@@ -275,6 +278,33 @@ class CessnaControlTest {
     kit.with("GROUND", "START").swap(between, CessnaControl::new);
     fly(sensed(flying()), Point.of(300.0, 0.0, 0.0), 2);
     assertThat(flareBegins()).isTrue();
+  }
+
+  @Test
+  void callback_landingWithoutHeight_isRefusedWhenItBegins() {
+    kit.start(CessnaControl::new);
+    land(sensed(flying()));
+
+    GoalInformation report = kit.latest(Channels.GOAL_REPORTS).orElseThrow();
+    assertThat(report.uid()).isEqualTo("L");
+    assertThat(report.abandoned()).isTrue();
+    assertThat(report.reason().orElseThrow()).contains("no height above ground, and GROUND is not");
+  }
+
+  @Test
+  void callback_landingWithHeight_isFlown() {
+    kit.start(CessnaControl::new);
+    land(flying());
+    fly(sensed(flying()), Point.of(300.0, 0.0, 0.0), 80); // the sensor falls silent
+
+    assertThat(kit.published(Channels.GOAL_REPORTS)).isEmpty();
+  }
+
+  private void land(StateInformation state) {
+    Landing landing = new Landing();
+    landing.horizontalThreshold(1.0).x(0.0).y(0.0).z(0.0).uid("L");
+    kit.publish(Channels.GOALS, new GoalList().goals(List.of(landing)));
+    fly(state, Point.of(300.0, 0.0, 0.0), 80);
   }
 
   @Test

@@ -57,6 +57,13 @@ class TakeOffSequenceTest {
   }
 
   @Test
+  void step_airspeedStaysLow_rejectsTheTakeOff() {
+    roll();
+    assertThat(step(rolling(20.0).ground(34.0, 0.0), true, 1.0)).isEqualTo(FlightPhase.ROLL);
+    assertThat(step(rolling(20.0).ground(36.0, 0.0), true, 1.0)).isEqualTo(FlightPhase.STOPPED);
+  }
+
+  @Test
   void step_navigationLostAfterRotation_climbsOutThenHolds() {
     roll();
     step(rolling(28.5), true, 1.0);

@@ -1,4 +1,4 @@
-package org.u2sa.planning;
+package org.u2sa.planning.payload;
 
 import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Gravity;
@@ -11,7 +11,7 @@ import org.u2sa.messages.frame.Point;
  * @param timeS time until it reaches the ground [s]
  * @param way displacement over ground: north, east, down [m]
  */
-record Fall(double timeS, Point way) {
+public record Fall(double timeS, Point way) {
   private static final double STEP_S = 0.02;
   private static final double LONGEST_S = 120.0;
 
@@ -22,7 +22,7 @@ record Fall(double timeS, Point way) {
    * @param velocity over ground at the release: north, east, down [m/s]
    * @param wind over ground: north, east, down [m/s]
    */
-  static Fall from(double heightM, Point velocity, Point wind, OptionalDouble terminalMps) {
+  public static Fall from(double heightM, Point velocity, Point wind, OptionalDouble terminalMps) {
     double drag =
         terminalMps.isPresent()
             ? Gravity.STANDARD_MPS2 / (terminalMps.getAsDouble() * terminalMps.getAsDouble())

@@ -1,4 +1,4 @@
-package org.u2sa.planning;
+package org.u2sa.planning.payload;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
