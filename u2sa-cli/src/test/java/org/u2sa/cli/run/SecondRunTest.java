@@ -17,6 +17,7 @@ import org.u2sa.cli.command.ExitCode;
 import org.u2sa.gcs.remote.LocalSystems;
 import org.u2sa.testkit.FreePort;
 
+@SuppressWarnings("try") // announcements are there to be ended, not called
 class SecondRunTest extends CommandFixture {
   @TempDir private Path folder;
   private final String system = "rover-" + UUID.randomUUID();

@@ -19,7 +19,7 @@ import org.u2sa.planning.seen.SeenWorld;
  * planner's thread.
  */
 final class VerticalGuard {
-  private static final double LEAST_M = 0.3; // shorter ways up and down are not checked
+  private static final double MIN_M = 0.3; // shorter ways up and down are not checked
   private static final double GROUND_M = 0.5; // an object this much higher is not the ground
   private static final double STANDS_MPS = 0.5;
   private static final double NOWHERE = Double.POSITIVE_INFINITY;
@@ -39,7 +39,7 @@ final class VerticalGuard {
 
   /** Whether a vertical way is long enough to be checked. */
   static boolean matters(Point way) {
-    return Math.abs(way.z()) > LEAST_M;
+    return Math.abs(way.z()) > MIN_M;
   }
 
   /**
