@@ -117,7 +117,11 @@ final class SpeedDoubt {
     return !speeds.isEmpty();
   }
 
-  /** Begins the doubt about a speed, which differs by so much from others. */
+  /**
+   * Begins to doubt a speed.
+   *
+   * @param mps difference from other speeds
+   */
   static void accuse(FilterState s, int at, double mps) {
     s.trust[at + SourceTrust.DOUBT_MPS] = mps;
     s.trust[at + SourceTrust.IS_BIASED] = 1.0;

@@ -43,8 +43,8 @@ final class VerticalGuard {
   }
 
   /**
-   * Part of a vertical way down to the clearance of a static obstacle, as of the last update of the
-   * world: down [m]. Nothing is landed on whose height is unknown.
+   * Part of a vertical way that ends VERTICAL CLEARANCE before a static obstacle, as of the last
+   * update of the world: down [m]. An object of unknown height is no place to land on.
    *
    * @param at vehicle on the plane [m]
    * @param way to its next point; obstacles are looked for as far along it as the vehicle needs to
