@@ -61,7 +61,7 @@ class GeneratedProjectsTest {
     assertThatThrownBy(() -> made.make("sensor", "pier", "--kind", "boat"))
         .hasMessageContaining("--kind boat: expected KIND vehicle");
     assertThatThrownBy(() -> made.make("vehicle", "pier", "--kind", "tram"))
-        .hasMessageContaining("vehicle-tram");
+        .hasMessageContaining("--kind tram: expected one of boat, copter");
   }
 
   @Test
