@@ -38,6 +38,7 @@ final class EstimateScorer implements TruthObserver.Scorer {
   private final Set<String> completed = new HashSet<>(); // or omitted by choice
   private final ZoneWatch zones;
   private final Errors position = new Errors();
+  private final Errors altitude = new Errors();
   private final Errors heading = new Errors();
   private double squares; // sum of squared distances from the true position [m²]
   private double farthestM;
@@ -150,7 +151,7 @@ final class EstimateScorer implements TruthObserver.Scorer {
         Point.of(
             truth.position().x() - ageS * truth.velocity().x(),
             truth.position().y() - ageS * truth.velocity().y(),
-            0.0);
+            truth.position().z() - ageS * truth.velocity().z());
     double east = ned.y().getAsDouble() - then.x();
     double north = ned.x().getAsDouble() - then.y();
     position.add(east, ned.ySigma());
@@ -158,6 +159,9 @@ final class EstimateScorer implements TruthObserver.Scorer {
     double square = east * east + north * north;
     squares += square;
     farthestM = Math.max(farthestM, Math.sqrt(square));
+    if (ned.z().isPresent()) {
+      altitude.add(-ned.z().getAsDouble() - then.z(), ned.zSigma());
+    }
   }
 
   @Override
@@ -181,15 +185,20 @@ final class EstimateScorer implements TruthObserver.Scorer {
       figures.put("positionErrorRmsM", Math.sqrt(2.0 * squares / position.count));
       figures.put("positionErrorMaxM", farthestM);
     }
+    if (altitude.count > 0) {
+      figures.put("altitudeErrorRmsM", altitude.rms());
+      figures.put("altitudeErrorMaxM", altitude.largest);
+    }
     if (heading.count > 0) {
       figures.put("headingErrorRmsDeg", Math.toDegrees(heading.rms()));
       figures.put("headingErrorMaxDeg", Math.toDegrees(heading.largest));
     }
     run.read(clock.micros(), SimulatedVehicle::energyJ)
         .ifPresent(energy -> figures.put("energyJ", energy));
-    int claims = position.claims + heading.claims;
+    int claims = position.claims + altitude.claims + heading.claims;
     if (claims > 0) {
-      figures.put("stateWithin3Sigma", (double) (position.within + heading.within) / claims);
+      int within = position.within + altitude.within + heading.within;
+      figures.put("stateWithin3Sigma", (double) within / claims);
     }
     figures.putAll(zones.figures());
     return figures;

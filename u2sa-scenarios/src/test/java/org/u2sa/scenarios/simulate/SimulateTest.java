@@ -391,6 +391,20 @@ class SimulateTest {
     assertThat(wrong.err()).contains("<mass>: 0.0 kg: expected above 0");
   }
 
+  /** An antenna that stands lower than the estimator was told. */
+  @Test
+  void simulate_wrongAltitude_countsInErrorAndConsistency() throws IOException, URISyntaxException {
+    project("wing");
+    simulate("sound", "--summary-only");
+    simulate(
+        "wrong", "--summary-only", "--set", "FusingStateEstimator:LEVER ARMS=GpsSensor = 0 0 -0.6");
+
+    assertThat(summary("sound").get("altitudeErrorMaxM").asDouble()).isBetween(0.001, 0.2);
+    assertThat(summary("wrong").get("altitudeErrorMaxM").asDouble()).isBetween(0.5, 0.9);
+    assertThat(summary("wrong").get("stateWithin3Sigma").asDouble())
+        .isLessThan(summary("sound").get("stateWithin3Sigma").asDouble() - 0.2);
+  }
+
   /** Wheels that slip, a laser, and nothing else: no GPS, compass or gyroscope. */
   @Test
   void simulate_scanMapWithoutGps_completesItsMissionAndRepeatsItToTheByte()
