@@ -8,6 +8,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.service.ServiceContext;
@@ -34,7 +35,11 @@ public final class WaterSpeedSensor extends DeviceSensor<VelocityLog.Speeds> {
           double groundSigma,
       @Variable(unit = "m/s", min = 0.0001, max = 10, ifAbsent = 0.05)
           @Description("Standard deviation of each speed through the water, from the data sheet.")
-          double waterSigma) {}
+          double waterSigma,
+      @Variable(unit = "s", min = 0, max = 5, ifAbsent = 0)
+          @Description(
+              "Latency from measurement to arrival of a reading, from the data sheet; states are timestamped with the time of measurement. In waves, an unknown one becomes an error of altitude.")
+          double delay) {}
 
   private final Settings<Variables> tuning = settings(Variables.class);
 
@@ -55,6 +60,7 @@ public final class WaterSpeedSensor extends DeviceSensor<VelocityLog.Speeds> {
     double water = tuning.get().waterSigma();
     StateInformation state =
         new StateInformation().sensorName(sensorName()).referenceFrame(ReferenceFrame.BODY);
+    state.timestamp(speeds.measuredAtMicros() - Clock.micros(tuning.get().delay()));
     set(speeds.groundX(), mps -> state.xDot(mps).xDotSigma(ground));
     set(speeds.groundY(), mps -> state.yDot(mps).yDotSigma(ground));
     set(speeds.groundZ(), mps -> state.zDot(mps).zDotSigma(ground));

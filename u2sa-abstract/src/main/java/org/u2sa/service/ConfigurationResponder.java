@@ -24,13 +24,13 @@ import org.u2sa.messages.contract.ConfigurationTransaction;
 import org.u2sa.messages.contract.ConfigurationTransactionResult;
 import org.u2sa.messages.contract.ConfigurationUndo;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.inbox.AnsweredOrders;
 
 /**
  * Answers queries and change requests for a service's configuration (thesis 3.2.1.1) on its thread;
  * {@link ConfigurationWriter} validates and writes.
  */
 final class ConfigurationResponder {
-  private static final int REMEMBERED = 64;
   private static final String TOO_MANY =
       "too many changes at once; nothing was changed: try again in a second";
 
@@ -41,18 +41,7 @@ final class ConfigurationResponder {
   private final ConfigurationCheck check;
   private final Consumer<Set<String>> changed;
 
-  /** The newest answers by request: a duplicate request is executed once. */
-  private final Map<String, ConfigurationTransactionResult> answered =
-      new LinkedHashMap<>() {
-        private static final long serialVersionUID = 1L;
-
-        @Override
-        protected boolean removeEldestEntry(
-            Map.Entry<String, ConfigurationTransactionResult> eldest) {
-          return size() > REMEMBERED;
-        }
-      };
-
+  private final AnsweredOrders<ConfigurationTransactionResult> answered = new AnsweredOrders<>();
   private final Set<String> waiting = new HashSet<>(); // requests being written
   private final ConfigurationWriter writer;
   private final ChangeRate rate = new ChangeRate();
@@ -82,10 +71,13 @@ final class ConfigurationResponder {
     if (request instanceof ConfigurationChange change) {
       change(change);
     } else if (request instanceof ConfigurationTransaction transaction) {
-      once(transaction.requestId(), transaction.author(), transaction(transaction));
+      once(
+          transaction.requestId(),
+          transaction.author(),
+          inTime(transaction, transaction(transaction)));
     } else if (request instanceof ConfigurationUndo undo) {
       ChangeOrigin by = by(undo.author());
-      once(undo.requestId(), undo.author(), () -> configuration.writeUndo(by, check));
+      once(undo.requestId(), undo.author(), inTime(undo, () -> configuration.writeUndo(by, check)));
     } else {
       connection.publish(Channels.CONFIGURATION, configuration());
     }
@@ -103,7 +95,10 @@ final class ConfigurationResponder {
     ChangeOrigin by = by("");
     order(
         "",
-        () -> configuration.write(Map.of(name, change.value()), OptionalLong.empty(), by, check),
+        inTime(
+            change,
+            () ->
+                configuration.write(Map.of(name, change.value()), OptionalLong.empty(), by, check)),
         written -> answer(name, written));
   }
 
@@ -117,6 +112,13 @@ final class ConfigurationResponder {
             .value(outcome.assignments().isEmpty() ? "" : outcome.assignments().get(0).value());
     outcome.refusal().ifPresent(result::reason);
     connection.publish(Channels.CONFIGURATION, result);
+  }
+
+  private Supplier<WrittenChange> inTime(U2SAData order, Supplier<WrittenChange> write) {
+    return service
+        .lateness(order)
+        .<Supplier<WrittenChange>>map(reason -> () -> configuration.refuse(reason))
+        .orElse(write);
   }
 
   private Supplier<WrittenChange> transaction(ConfigurationTransaction transaction) {
@@ -133,9 +135,9 @@ final class ConfigurationResponder {
   }
 
   private void once(String requestId, String author, Supplier<WrittenChange> write) {
-    ConfigurationTransactionResult before = answered.get(requestId);
-    if (before != null) {
-      connection.publish(Channels.CONFIGURATION, before);
+    Optional<ConfigurationTransactionResult> before = answered.to(requestId);
+    if (before.isPresent()) {
+      connection.publish(Channels.CONFIGURATION, before.get());
     } else if (waiting.add(requestId)) {
       order(
           author,
@@ -158,7 +160,7 @@ final class ConfigurationResponder {
             .revision(outcome.revision())
             .author(author);
     outcome.refusal().ifPresent(result::reason);
-    answered.put(requestId, result);
+    answered.remember(requestId, result);
     connection.publish(Channels.CONFIGURATION, result);
   }
 

@@ -3,6 +3,7 @@ package org.u2sa.service;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.Collections;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.regex.Pattern;
@@ -15,6 +16,8 @@ import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.log.LogFile;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.interfaces.units.NumberText;
+import org.u2sa.messages.schema.U2SAData;
 
 /** A service's name, variables, clock and log file (thesis 3.2.1.1, 3.2.1.5). */
 final class ServiceConfiguration {
@@ -78,6 +81,20 @@ final class ServiceConfiguration {
     return clock;
   }
 
+  /** Reason for not obeying an order; see {@link U2SAService#lateness}. */
+  Optional<String> lateness(U2SAData order) {
+    long now = clock.micros();
+    double ageS = Clock.seconds(now - order.timestamp().orElse(now));
+    return own.orderExpiry() == 0.0 || ageS <= own.orderExpiry()
+        ? Optional.empty()
+        : Optional.of(
+            String.format(
+                Locale.ROOT,
+                "the order arrived %.1f s after it was given; expected at most ORDER EXPIRY, %s s: give it again (if it was given just now, the clocks differ)",
+                ageS,
+                NumberText.of(own.orderExpiry())));
+  }
+
   /** Hook of a recorder or replay. */
   Execution execution() {
     return execution;
@@ -129,5 +146,9 @@ final class ServiceConfiguration {
       @Variable(unit = "us", min = 0, max = 10_000, ifAbsent = 0)
           @Description(
               "Time for which the service spins (busy-waits) for the next message or step before it sleeps: lower latency for more CPU load. Real time only; 0: sleeps immediately.")
-          double spin) {}
+          double spin,
+      @Variable(unit = "s", min = 0, max = 86_400, ifAbsent = 5)
+          @Description(
+              "Age at which an order (to arm, clear a stop, change mission, fence or variables, drive by hand) no longer counts: brokers keep orders while a link is down. Raise it for slow links; 0: orders count whenever they arrive. Needs a restart.")
+          double orderExpiry) {}
 }

@@ -1,7 +1,9 @@
 package org.u2sa.service;
 
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
@@ -83,7 +85,7 @@ final class ServiceReceiver implements Receiver {
     if (!channel.carries(message)) {
       refuse(channel, message);
     } else if (ServiceContract.isOrderToStop(name, channel, message)) {
-      now.present.life.stopFor("ordered to stop on \"" + channel + "\": " + message);
+      stop(now.present, message);
     } else {
       Recipient recipient =
           now.present.isSubscribed(channel) || ServiceContract.concerns(name, channel, message)
@@ -93,6 +95,16 @@ final class ServiceReceiver implements Receiver {
         recipient.put(channel, message);
         served.present.life.wakeFor(channel); // re-read: may have moved to a successor
       }
+    }
+  }
+
+  /** A late one was meant for another situation: without services a vehicle is out of control. */
+  private void stop(Recipient service, U2SAData order) {
+    Optional<String> late = service.configuration.lateness(order);
+    if (late.isPresent()) {
+      trouble("not stopped, because " + late.get() + ": " + order);
+    } else {
+      service.life.stopFor("ordered to stop on \"" + Channels.STOP + "\": " + order);
     }
   }
 

@@ -333,6 +333,15 @@ public abstract class U2SAService extends Thread
   }
 
   /**
+   * Reason for not obeying an order: it is older than ORDER EXPIRY, so its sender has given it up.
+   * A broker may have kept it while a link was down. Empty if the order is in time or has no
+   * timestamp.
+   */
+  public final Optional<String> lateness(U2SAData order) {
+    return configuration.lateness(order);
+  }
+
+  /**
    * {@link #registerSubscriber(Channel)} with a handler, called on the service's thread instead of
    * {@link #callback}. Another call replaces it.
    */

@@ -142,7 +142,7 @@ class ConfigurationOffThreadTest {
             .author("ann")
             .assignments(assignments);
     transaction.systemId("kit");
-    transaction.timestamp(0L);
+    transaction.timestamp(new SystemClock().micros());
     transaction.freeze();
     bus.deliver(Channels.CONFIGURATION, transaction);
   }

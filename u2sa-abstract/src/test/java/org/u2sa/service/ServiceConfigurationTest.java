@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Range;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.ConfigurationAssignment;
 import org.u2sa.messages.contract.ConfigurationRequest;
 import org.u2sa.messages.contract.ConfigurationResponse;
@@ -176,5 +177,21 @@ class ServiceConfigurationTest {
               assertThat(variable.value()).isEqualTo("FAST");
               assertThat(variable.choices()).containsExactly("SLOW", "FAST");
             });
+  }
+
+  /** A broker keeps orders while a link is down. */
+  @Test
+  void transaction_olderThanOrderExpiry_isRefused() {
+    ConfigurationTransaction late = transaction("1", "MODE", "FAST");
+    late.timestamp(kit.clock().micros() - Clock.micros(20.0));
+
+    ConfigurationTransactionResult result = transact(late);
+
+    assertThat(result.accepted()).isFalse();
+    assertThat(result.reason()).contains("20.0 s after it was given");
+    assertThat(service.getVariable("MODE")).isNotEqualTo("FAST");
+    ConfigurationTransaction inTime = transaction("2", "MODE", "FAST");
+    inTime.timestamp(kit.clock().micros() - Clock.micros(4.0));
+    assertThat(transact(inTime).accepted()).isTrue();
   }
 }

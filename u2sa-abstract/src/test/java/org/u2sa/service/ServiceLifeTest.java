@@ -300,6 +300,24 @@ class ServiceLifeTest {
     assertThat(stepper.isRunning()).isFalse();
   }
 
+  /** A broker keeps orders while a link is down. */
+  @Test
+  void stopCommand_olderThanOrderExpiry_endsNothing() throws InterruptedException {
+    Listener listener = kit.start(Listener::new);
+    StopCommand late = new StopCommand().stopAll(true);
+    late.timestamp(kit.clock().micros() - Clock.micros(20.0));
+    kit.publish(Channels.STOP, late);
+
+    assertThat(listener.isRunning()).isTrue();
+    assertThat(kit.log("Listener"))
+        .anyMatch(line -> line.contains("not stopped, because the order arrived 20.0 s"));
+    StopCommand inTime = new StopCommand().stopAll(true);
+    inTime.timestamp(kit.clock().micros() - Clock.micros(4.0));
+    kit.publish(Channels.STOP, inTime);
+    listener.join();
+    assertThat(listener.isRunning()).isFalse();
+  }
+
   @Test
   void kill_twiceAndFromAnotherThread_releasesOnce() {
     Listener listener = kit.start(Listener::new);

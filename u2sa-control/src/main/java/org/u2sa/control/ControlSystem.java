@@ -112,15 +112,24 @@ public abstract class ControlSystem extends EventDrivenService {
     return VEHICLE;
   }
 
-  /** Executes an order to drive by hand and returns the answer; refuses unless overridden. */
-  protected ManualState byHand(ManualOrder order) {
+  /**
+   * Executes an order to drive by hand and returns the answer; refuses unless overridden.
+   *
+   * @param late reason for refusing an order to begin; empty if it arrived in time
+   */
+  protected ManualState byHand(ManualOrder order, Optional<String> late) {
     ManualState state = new ManualState();
-    return order.active() ? state.reason("this vehicle cannot be driven by hand") : state;
+    return order.active()
+        ? state.reason(late.orElse("this vehicle cannot be driven by hand"))
+        : state;
   }
 
   private void onManualOrder(ManualOrder order) {
     if (subsystem().equals(VEHICLE)) {
-      publish(Channels.MANUAL_STATE, byHand(order).requestId(order.requestId()));
+      publish(
+          Channels.MANUAL_STATE,
+          byHand(order, order.active() ? lateness(order) : Optional.empty())
+              .requestId(order.requestId()));
     }
   }
 

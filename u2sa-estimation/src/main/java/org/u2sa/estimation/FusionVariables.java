@@ -69,7 +69,7 @@ record FusionVariables(
         double wheelScaleSigma,
     @Variable(unit = "m/s", min = -1, max = 1, ifAbsent = -1)
         @Description(
-            "Constant error of speeds over ground measured along the vehicle, such as a velocity log's, 1 sigma of each component, which the filter estimates; 0: none; -1: 0.002 m/s for UNDERWATER, otherwise none.")
+            "Constant error of speeds over ground measured along the vehicle, such as a velocity log's, 1 sigma of each component, which the filter estimates; 0: none; -1: 0.02 m/s for WATER, 0.002 m/s for UNDERWATER, otherwise none.")
         double speedBiasSigma,
     @Variable(min = 2, max = 20, ifAbsent = 4)
         @Description("Gate, in standard deviations, beyond which a measurement is rejected.")

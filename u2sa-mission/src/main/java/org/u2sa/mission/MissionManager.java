@@ -17,6 +17,7 @@ import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.GoalResult;
 import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.mission.GoalCommand;
 import org.u2sa.messages.mission.MissionOrder;
 import org.u2sa.messages.mission.MissionRequest;
 import org.u2sa.messages.safety.ArmingState;
@@ -109,12 +110,13 @@ public final class MissionManager extends PeriodicService {
             failsafes::landGoals,
             () -> returnPlaces.nearest(thresholdM()),
             returnPlaces::wayTo,
-            this::replace);
+            this::replace,
+            this::lateness);
     registerPublisher(Channels.GOALS);
     registerPublisher(Channels.MISSION);
     subscribe(Channels.GOAL_REPORTS, this::onReport);
     subscribe(Channels.GOAL_UPDATES, this::update);
-    subscribe(Channels.GOAL_COMMANDS, command -> changeTo(command.uid()));
+    subscribe(Channels.GOAL_COMMANDS, this::changeTo);
     subscribe(Channels.MISSION, this::onMission);
     // Before failsafes: after a restart, the retained fence must be known when RETURN arrives.
     subscribe(Channels.FENCE, returnPlaces::see);
@@ -366,6 +368,11 @@ public final class MissionManager extends PeriodicService {
   }
 
   private void update(GoalInformation goal) {
+    Optional<String> late = lateness(goal);
+    if (late.isPresent()) {
+      ignore("update of goal \"" + goal.uid() + "\" refused: " + late.get());
+      return;
+    }
     GoalSequence updated = run.progress().knowing(goal.uid());
     if (!updated.book.hasRoomForUpdate(goal)) {
       ignore(
@@ -386,7 +393,13 @@ public final class MissionManager extends PeriodicService {
     publishGoals();
   }
 
-  private void changeTo(String uid) {
+  private void changeTo(GoalCommand command) {
+    String uid = command.uid();
+    Optional<String> late = lateness(command);
+    if (late.isPresent()) {
+      log(LogLevelEnum.WARN, "command to change to goal \"" + uid + "\" rejected: " + late.get());
+      return;
+    }
     if (!run.progress().pursued().knows(uid)) {
       log(LogLevelEnum.WARN, "command to change to goal \"" + uid + "\" rejected: unknown");
       return;

@@ -4,9 +4,7 @@ import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.EnumSet;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
@@ -27,14 +25,13 @@ import org.u2sa.messages.mission.MissionAction;
 import org.u2sa.messages.mission.MissionOrder;
 import org.u2sa.messages.mission.MissionOrderResult;
 import org.u2sa.messages.schema.MessageTypes;
+import org.u2sa.service.inbox.AnsweredOrders;
 
 /**
  * Executes operators' orders to a Mission Manager and reports the results. Idempotent: a repeated
  * order is answered again but not executed again.
  */
 final class MissionOrders {
-  private static final int REMEMBERED = 64;
-
   /** Orders that do not lead the vehicle anywhere at once, unless they say so. */
   private static final Set<MissionAction> PLANNING =
       EnumSet.of(
@@ -52,21 +49,15 @@ final class MissionOrders {
   private final Supplier<Optional<Waypoint>> returning;
   private final Function<Waypoint, Optional<List<Waypoint>>> way;
   private final Consumer<Mission> replacement;
-  private final Map<String, MissionOrderResult> answered =
-      new LinkedHashMap<>() {
-        private static final long serialVersionUID = 1L;
-
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<String, MissionOrderResult> eldest) {
-          return size() > REMEMBERED;
-        }
-      };
+  private final Function<MissionOrder, Optional<String>> lateness;
+  private final AnsweredOrders<MissionOrderResult> answered = new AnsweredOrders<>();
 
   /**
    * @param landing goals of the LAND MISSION
    * @param returning nearest return place
    * @param way waypoints that lead to a given one within the fence
    * @param replacement begins another mission
+   * @param lateness reason for refusing an order that arrived too late
    */
   MissionOrders(
       MissionRun run,
@@ -76,7 +67,9 @@ final class MissionOrders {
       Supplier<List<GoalInformation>> landing,
       Supplier<Optional<Waypoint>> returning,
       Function<Waypoint, Optional<List<Waypoint>>> way,
-      Consumer<Mission> replacement) {
+      Consumer<Mission> replacement,
+      Function<MissionOrder, Optional<String>> lateness) {
+    this.lateness = lateness;
     this.run = run;
     this.resumable = resumable;
     this.types = types;
@@ -93,9 +86,9 @@ final class MissionOrders {
    * @param changed called if the order was executed
    */
   MissionOrderResult obey(MissionOrder order, String manager, Runnable changed) {
-    MissionOrderResult before = answered.get(order.requestId());
-    if (before != null) {
-      return (MissionOrderResult) before.copy();
+    Optional<MissionOrderResult> before = answered.to(order.requestId());
+    if (before.isPresent()) {
+      return before.get();
     }
     MissionOrderResult result =
         new MissionOrderResult().requestId(order.requestId()).serviceName(manager);
@@ -110,17 +103,16 @@ final class MissionOrders {
           order.action() + " by " + order.operator() + " refused: " + e.getMessage());
       result.accepted(false).outcome(e.getMessage());
     }
-    answered.put(order.requestId(), (MissionOrderResult) result.copy());
+    answered.remember(order.requestId(), result);
     return result;
   }
 
   private String outcome(MissionOrder order) {
+    if (order.action() != MissionAction.PAUSE) { // pausing is never refused
+      refuse(lateness.apply(order));
+    }
     if (!PLANNING.contains(order.action()) || order.now()) {
-      run.objection()
-          .ifPresent(
-              why -> {
-                throw new BadInputException(why);
-              });
+      refuse(run.objection());
     }
     return switch (order.action()) {
       case GOTO -> goTo(known(run.progress().pursued(), order.uid().orElse("")));
@@ -133,6 +125,12 @@ final class MissionOrders {
       case LAND -> land();
       case RETURN -> goHome();
     };
+  }
+
+  private static void refuse(Optional<String> reason) {
+    if (reason.isPresent()) {
+      throw new BadInputException(reason.get());
+    }
   }
 
   private String goTo(String uid) {

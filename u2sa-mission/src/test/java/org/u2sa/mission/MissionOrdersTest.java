@@ -9,16 +9,19 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalResult;
 import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.mission.GoalCommand;
 import org.u2sa.messages.mission.MissionAction;
 import org.u2sa.messages.mission.MissionOrder;
 import org.u2sa.messages.mission.MissionOrderResult;
 import org.u2sa.messages.mission.MissionReport;
 import org.u2sa.messages.mission.MissionRequest;
 import org.u2sa.messages.safety.FenceState;
+import org.u2sa.messages.schema.U2SAData;
 
 /** What operators order of a running mission, and what they are answered. */
 class MissionOrdersTest extends ThreeWaypoints {
@@ -518,5 +521,41 @@ class MissionOrdersTest extends ThreeWaypoints {
 
     assertThat(current()).containsExactly("RETURN rally 2");
     accepted(order(MissionAction.RESUME), "resumed at [1]");
+  }
+
+  private <T extends U2SAData> T lateBy(double seconds, T message) {
+    kit.advance(30.0);
+    message.timestamp(kit.clock().micros() - Clock.micros(seconds));
+    return message;
+  }
+
+  /** A broker keeps orders while a link is down. */
+  @Test
+  void order_olderThanItsExpiry_isRefusedUnlessItPauses() {
+    kit.start(MissionManager::new);
+    refused(
+        lateBy(20.0, order(MissionAction.GOTO).uid("3")),
+        "the order arrived 20.0 s after it was given; expected at most ORDER EXPIRY, 5 s: give it"
+            + " again (if it was given just now, the clocks differ)");
+    accepted(lateBy(4.0, order(MissionAction.GOTO).uid("3")), "pursuing goal \"3\"");
+    accepted(lateBy(20.0, order(MissionAction.PAUSE)), "paused at 3");
+    MissionOrderResult resumed = give(lateBy(20.0, order(MissionAction.RESUME)));
+    assertThat(resumed.accepted()).isFalse();
+  }
+
+  @Test
+  void goalCommandAndUpdate_olderThanTheirExpiry_haveNoEffect() {
+    kit.start(MissionManager::new);
+    kit.publish(Channels.GOAL_COMMANDS, lateBy(20.0, new GoalCommand().uid("3")));
+    kit.publish(
+        Channels.GOAL_UPDATES,
+        lateBy(20.0, new Waypoint().uid("1").x(77.0).y(1.0).horizontalThreshold(1.0)));
+
+    assertThat(current()).containsExactly("1");
+    assertThat(kit.log("MissionManager"))
+        .anyMatch(line -> line.contains("command to change to goal \"3\" rejected: the order"))
+        .anyMatch(line -> line.contains("update of goal \"1\" refused: the order arrived 20.0 s"));
+    kit.publish(Channels.GOAL_COMMANDS, lateBy(4.0, new GoalCommand().uid("3")));
+    assertThat(current()).containsExactly("3");
   }
 }

@@ -133,7 +133,7 @@ public final class ConfigCommand extends BaseCommand.Group {
       throw new ParameterException(
           format.commandLine(), "--revision " + revision + ": expected 0 or more");
     }
-    try (RemoteLink link = remote.connect()) {
+    try (RemoteLink link = remote.connectForOrders()) {
       RemoteConfiguration configuration = new RemoteConfiguration(link);
       ConfigurationResponse before = configuration.of(service);
       ConfigurationTransaction transaction =
@@ -175,7 +175,7 @@ public final class ConfigCommand extends BaseCommand.Group {
       @Mixin RemoteSystem remote,
       @Mixin AnswerFormat format)
       throws InterruptedException {
-    try (RemoteLink link = remote.connect()) {
+    try (RemoteLink link = remote.connectForOrders()) {
       RemoteConfiguration configuration = new RemoteConfiguration(link);
       ConfigurationResponse before = configuration.of(service);
       return report(configuration.undo(service), before, format);

@@ -36,7 +36,7 @@ abstract class ParameterFileCommand extends BaseCommand {
 
   @Override
   public final Integer call() throws InterruptedException {
-    try (RemoteLink link = remote.connect()) {
+    try (RemoteLink link = remote.connectForOrders()) {
       RemoteConfiguration configuration = new RemoteConfiguration(link);
       List<ConfigurationResponse> all = configuration.all();
       if (all.isEmpty()) {

@@ -108,7 +108,7 @@ public final class PublishCommand extends BaseCommand {
     }
     Channel<?> channel = ChannelNames.channel(channelName);
     U2SAData message = message(channel);
-    try (RemoteLink link = remote.connect()) {
+    try (RemoteLink link = remote.connectForOrders()) {
       U2SAData last = message;
       Outcome outcome = Outcome.NOT_HEARD;
       long began = link.clock().micros();

@@ -35,7 +35,7 @@ abstract class OrderCommand extends BaseCommand {
   public final Integer call() throws InterruptedException {
     String id = UUID.randomUUID().toString();
     MissionOrder order = order().requestId(id).operator(Operator.name());
-    try (RemoteLink link = remote.connect()) {
+    try (RemoteLink link = remote.connectForOrders()) {
       Optional<MissionOrderResult> result =
           link.first(
               Channels.MISSION,

@@ -135,6 +135,16 @@ public final class RemoteSystem {
   }
 
   /**
+   * {@link #connect} for orders, which are stamped with the system's time ({@link
+   * RemoteLink#adoptTime}).
+   */
+  public RemoteLink connectForOrders() throws InterruptedException {
+    RemoteLink link = connect();
+    link.adoptTime();
+    return link;
+  }
+
+  /**
    * Joins the chosen system, or all systems at the broker if none was chosen, without discovery.
    *
    * @throws org.u2sa.interfaces.communication.CommunicationException if no broker answers

@@ -47,7 +47,7 @@ public final class MavlinkCommand extends BaseCommand {
     List<MavlinkBridge> bridges = new ArrayList<>();
     try {
       for (BridgeOptions each : parsed) {
-        bridges.add(new MavlinkBridge(remote.connect(), each, this::tell));
+        bridges.add(new MavlinkBridge(remote.connectForOrders(), each, this::tell));
         print("MAVLink ground stations: " + each + ". Ctrl-C ends it.");
       }
       out().flush();

@@ -54,7 +54,7 @@ public abstract class ArmingCommand extends BaseCommand {
 
   @Override
   public final Integer call() throws InterruptedException {
-    try (RemoteLink link = remote.connect()) {
+    try (RemoteLink link = remote.connectForOrders()) {
       Optional<ArmingState> answer = answer(link);
       if (answer.isEmpty()) {
         print(link.systemId() + ": no Safety Manager answered within " + link.timeoutS() + " s");

@@ -139,7 +139,7 @@ public final class EmergencyStopCommand extends BaseCommand {
 
   /** Clears all reported stops only. */
   private int clear() throws InterruptedException {
-    try (RemoteLink link = remote.connect();
+    try (RemoteLink link = remote.connectForOrders();
         Clock.Waiter waiter = link.clock().newWaiter("stops")) {
       return clear(link, waiter);
     }

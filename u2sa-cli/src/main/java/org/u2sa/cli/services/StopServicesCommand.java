@@ -40,7 +40,7 @@ public final class StopServicesCommand extends BaseCommand {
 
   @Override
   public Integer call() throws InterruptedException {
-    try (RemoteLink link = remote.connect()) {
+    try (RemoteLink link = remote.connectForOrders()) {
       List<String> there = DirectoryObservation.made(link).names();
       if (name != null && !there.contains(name)) {
         throw new BadInputException(unknown(name, there, link));

@@ -110,8 +110,8 @@ public final class CessnaControl extends ControlSystem {
   }
 
   @Override
-  protected ManualState byHand(ManualOrder order) {
-    ManualState refusal = super.byHand(order);
+  protected ManualState byHand(ManualOrder order, Optional<String> late) {
+    ManualState refusal = super.byHand(order, late);
     return refusal
         .active(byHand.active())
         .operator(byHand.operator())

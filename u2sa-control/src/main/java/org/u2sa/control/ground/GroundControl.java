@@ -15,6 +15,7 @@ import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.ManualDrive;
 import org.u2sa.messages.safety.ManualOrder;
 import org.u2sa.messages.safety.ManualState;
 import org.u2sa.service.ServiceContext;
@@ -38,7 +39,7 @@ abstract class GroundControl extends ControlSystem {
     super(context, "Control");
     subscribe(Channels.ARMING_STATE, this::onArming);
     subscribe(Channels.FAILSAFE, failsafe -> hand.see(failsafe.action()).ifPresent(this::ended));
-    subscribe(Channels.MANUAL_DRIVE, drive -> hand.see(drive, clock().micros()));
+    subscribe(Channels.MANUAL_DRIVE, this::onManualDrive);
     subscribe(Channels.ACTUATORS, announced -> roster.see(announced, clock().micros()));
   }
 
@@ -106,11 +107,11 @@ abstract class GroundControl extends ControlSystem {
   }
 
   @Override
-  protected ManualState byHand(ManualOrder order) {
+  protected ManualState byHand(ManualOrder order, Optional<String> late) {
     if (!isDrivenByHand()) {
-      return super.byHand(order);
+      return super.byHand(order, late);
     }
-    ManualState state = hand.obey(order);
+    ManualState state = hand.obey(order, late);
     log(
         LogLevelEnum.WARN,
         "driving by hand, "
@@ -120,6 +121,13 @@ abstract class GroundControl extends ControlSystem {
             + "\": "
             + state.reason().orElse("takeovers: " + state.takeovers()));
     return state;
+  }
+
+  /** One that arrives late was meant for another situation. */
+  private void onManualDrive(ManualDrive drive) {
+    if (lateness(drive).isEmpty()) {
+      hand.see(drive, clock().micros());
+    }
   }
 
   private void onArming(ArmingState state) {

@@ -34,8 +34,15 @@ final class HandDriving {
   private boolean armed;
   private FailsafeAction failsafe = FailsafeAction.CONTINUE;
 
-  /** Carries out an order. */
-  ManualState obey(ManualOrder order) {
+  /**
+   * Carries out an order.
+   *
+   * @param late reason for refusing an order to begin; empty if it arrived in time
+   */
+  ManualState obey(ManualOrder order, Optional<String> late) {
+    if (order.active() && late.isPresent()) {
+      return state().reason(late.get());
+    }
     if (order.active() && failsafe != FailsafeAction.CONTINUE) {
       return state().reason("the failsafe " + failsafe + " is in force");
     }

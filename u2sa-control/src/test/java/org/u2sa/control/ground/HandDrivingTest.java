@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.control.ControlSystem;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FailsafeState;
@@ -164,5 +165,38 @@ class HandDrivingTest {
       assertThat(order(drive, true, "Ann").reason())
           .contains("this vehicle cannot be driven by hand");
     }
+  }
+
+  @Test
+  void order_olderThanItsExpiry_beginsNothingButEnds() {
+    RoverDrive drive = differential();
+    ManualOrder late = new ManualOrder().requestId("late").active(true).operator("anna");
+    late.timestamp(drive.kit.clock().micros() - Clock.micros(20.0));
+    drive.kit.publish(Channels.MANUAL_ORDERS, late);
+
+    ManualState refused = drive.kit.latest(Channels.MANUAL_STATE).orElseThrow();
+    assertThat(refused.active()).isFalse();
+    assertThat(refused.reason().orElseThrow()).startsWith("the order arrived 20.0 s");
+    assertThat(order(drive, true, "anna").active()).isTrue();
+    ManualOrder end = new ManualOrder().requestId("end").active(false).operator("anna");
+    end.timestamp(drive.kit.clock().micros() - Clock.micros(20.0));
+    drive.kit.publish(Channels.MANUAL_ORDERS, end);
+    assertThat(drive.kit.latest(Channels.MANUAL_STATE).orElseThrow().active()).isFalse();
+  }
+
+  @Test
+  void drive_olderThanOrderExpiry_movesNothing() {
+    RoverDrive drive = differential();
+    order(drive, true, "anna");
+    for (int i = 0; i < 20; i++) {
+      ManualDrive late = by("anna").speed(0.5);
+      late.timestamp(drive.kit.clock().micros() - Clock.micros(20.0));
+      drive.kit.publish(Channels.MANUAL_DRIVE, late);
+      drive.until(() -> false, 0.1);
+    }
+
+    assertThat(drive.rover.speed).isCloseTo(0.0, within(0.01));
+    hold(drive, by("anna").speed(0.5), 2.0);
+    assertThat(drive.rover.speed).isGreaterThan(0.3);
   }
 }

@@ -13,6 +13,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.DiscoveryRequest;
 import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.directory.ClockAgreement;
 
 /**
  * Prevents a process from running a service that already runs in another process of the same

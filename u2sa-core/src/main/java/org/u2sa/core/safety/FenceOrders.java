@@ -1,35 +1,30 @@
 package org.u2sa.core.safety;
 
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.safety.FenceOrder;
 import org.u2sa.messages.safety.FenceOrderResult;
 import org.u2sa.messages.safety.FenceState;
+import org.u2sa.service.inbox.AnsweredOrders;
 
 /**
  * Executes operators' fence orders and reports the results. Idempotent: a repeated order is
  * answered again but not executed again.
  */
 final class FenceOrders {
-  private static final int REMEMBERED = 64;
-
   private final FenceWatch watch;
-  private final Map<String, FenceOrderResult> answered =
-      new LinkedHashMap<>() {
-        private static final long serialVersionUID = 1L;
+  private final Function<FenceOrder, Optional<String>> lateness;
+  private final AnsweredOrders<FenceOrderResult> answered = new AnsweredOrders<>();
 
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<String, FenceOrderResult> eldest) {
-          return size() > REMEMBERED;
-        }
-      };
-
-  FenceOrders(FenceWatch watch) {
+  /**
+   * @param lateness reason for refusing an order that arrived too late
+   */
+  FenceOrders(FenceWatch watch, Function<FenceOrder, Optional<String>> lateness) {
     this.watch = watch;
+    this.lateness = lateness;
   }
 
   /**
@@ -38,18 +33,24 @@ final class FenceOrders {
    * @param armed whether the vehicle is armed: it must then be well inside the new fence
    */
   FenceOrderResult obey(FenceOrder order, String manager, boolean armed, long nowMicros) {
-    FenceOrderResult before = answered.get(order.requestId());
-    if (before != null) {
-      return (FenceOrderResult) before.copy();
+    Optional<FenceOrderResult> before = answered.to(order.requestId());
+    if (before.isPresent()) {
+      return before.get();
     }
     FenceOrderResult result =
         new FenceOrderResult().requestId(order.requestId()).serviceName(manager);
     try {
+      lateness
+          .apply(order)
+          .ifPresent(
+              reason -> {
+                throw new BadInputException(reason);
+              });
       result.accepted(true).outcome(outcome(order, armed, nowMicros));
     } catch (BadInputException e) {
       result.accepted(false).outcome(e.getMessage());
     }
-    answered.put(order.requestId(), (FenceOrderResult) result.copy());
+    answered.remember(order.requestId(), result);
     return result;
   }
 

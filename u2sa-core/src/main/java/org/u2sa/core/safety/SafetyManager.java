@@ -15,17 +15,20 @@ import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.safety.ArmCommand;
+import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.EmergencyStop;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.safety.FenceOrder;
 import org.u2sa.messages.safety.FenceOrderResult;
+import org.u2sa.messages.safety.OperatorHeartbeat;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 import org.u2sa.service.actuator.EmergencyLatch;
 import org.u2sa.service.handover.HandOver;
+import org.u2sa.service.inbox.AnsweredOrders;
 
 /**
  * Decides how the vehicle reacts to faults, by the failsafe matrix, and whether it may move at all
@@ -43,6 +46,7 @@ public final class SafetyManager extends PeriodicService {
 
   private final Settings<SafetyVariables> settings = settings(SafetyVariables.class);
   private final EmergencyLatch emergency;
+  private final AnsweredOrders<ArmingState> answered = new AnsweredOrders<>();
   private String lastClear = ""; // of an emergency stop
   private String clearBefore = ""; // the last one that the predecessor heard
   private final Conditions conditions = new Conditions();
@@ -61,6 +65,7 @@ public final class SafetyManager extends PeriodicService {
   private FailsafeAction said = FailsafeAction.CONTINUE;
   private List<Hazard> saidHazards = List.of();
   private double repeatDueS;
+  private long lateHeartbeats;
   private int saidFence; // fence version last published
 
   /**
@@ -74,7 +79,7 @@ public final class SafetyManager extends PeriodicService {
     PositionWatch position = new PositionWatch(settings);
     FenceFile fence = new FenceFile(context.configuration(), clock());
     fenceWatch = new FenceWatch(this, settings, fence, position);
-    fenceOrders = new FenceOrders(fenceWatch);
+    fenceOrders = new FenceOrders(fenceWatch, this::lateness);
     List<ExtensionWatch> extensions = ExtensionWatch.discovered(this);
     watches = new ArrayList<>(Watches.standard(settings, conditions, named, position));
     watches.add(new GuardedWatch(pilot));
@@ -208,6 +213,9 @@ public final class SafetyManager extends PeriodicService {
 
   private void see(Channel<?> channel, U2SAData message) {
     long now = clock().micros();
+    if (message instanceof OperatorHeartbeat && isLate(message)) {
+      return;
+    }
     predecessor.see(message, now);
     arming.see(message, now);
     named.see(message);
@@ -218,6 +226,17 @@ public final class SafetyManager extends PeriodicService {
     }
   }
 
+  /** A late heartbeat tells of an operator who may have gone. */
+  private boolean isLate(U2SAData heartbeat) {
+    Optional<String> late = lateness(heartbeat);
+    if (late.isPresent() && Long.bitCount(++lateHeartbeats) == 1) { // 1, 2, 4, 8…
+      log(
+          LogLevelEnum.WARN,
+          "ignored an operator's heartbeat (" + lateHeartbeats + " so far): " + late.get());
+    }
+    return late.isPresent();
+  }
+
   private void onCondition(ServiceCondition condition) {
     conditions.see(condition);
     see(Channels.CONDITIONS, condition);
@@ -225,16 +244,29 @@ public final class SafetyManager extends PeriodicService {
 
   private void obey(ArmCommand command) {
     long now = clock().micros();
-    predecessor.end();
-    decision.acknowledge();
-    log("\"" + command.operator() + "\" asks to " + (command.arm() ? "arm" : "disarm"));
-    if (command.arm()) {
-      arming.arm(now);
-    } else {
-      arming.disarm("by \"" + command.operator() + "\"");
+    if (answered.to(command.requestId()).isPresent()) {
+      publish(arming.state(now).requestId(command.requestId())); // not the old one: others obey it
+      return;
     }
-    save();
-    publish(arming.state(now).requestId(command.requestId()));
+    String order = "\"" + command.operator() + "\" asks to " + (command.arm() ? "arm" : "disarm");
+    Optional<String> late = command.arm() ? lateness(command) : Optional.empty();
+    if (late.isPresent()) {
+      log(LogLevelEnum.WARN, order + ": refused, because " + late.get());
+    } else {
+      predecessor.end();
+      decision.acknowledge();
+      log(order);
+      if (command.arm()) {
+        arming.arm(now);
+      } else {
+        arming.disarm("by \"" + command.operator() + "\"");
+      }
+      save();
+    }
+    ArmingState state = arming.state(now).requestId(command.requestId());
+    late.ifPresent(reason -> state.reasons(List.of(reason)));
+    answered.remember(command.requestId(), state);
+    publish(state);
   }
 
   private void onFenceOrder(U2SAData message) {
@@ -259,6 +291,11 @@ public final class SafetyManager extends PeriodicService {
   }
 
   private void stopOrGo(EmergencyStop message) {
+    Optional<String> late = message.active() || !begun ? Optional.empty() : lateness(message);
+    if (late.isPresent() && emergency.isStopped()) {
+      stopAgain(message, late.get());
+      return;
+    }
     boolean changed = emergency.accept(message);
     if (!message.active()) {
       lastClear = message.operator() + " " + message.timestamp().orElse(0L);
@@ -280,6 +317,21 @@ public final class SafetyManager extends PeriodicService {
     }
     save();
     publish(arming.state(clock().micros()));
+  }
+
+  /** The clear has lifted the stop elsewhere; with another timestamp it counts as a new one. */
+  private void stopAgain(EmergencyStop clear, String why) {
+    log(
+        LogLevelEnum.WARN,
+        "emergency stop not cleared by \"" + clear.operator() + "\", because " + why);
+    for (EmergencyStop stop : emergency.stops()) {
+      EmergencyStop again = (EmergencyStop) stop.copy();
+      again.timestamp(clock().micros());
+      emergency.accept(again);
+      publish(Channels.EMERGENCY_STOP, again);
+    }
+    heedsEmergencyStops(emergency.identities());
+    save();
   }
 
   @Override

@@ -21,6 +21,7 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
+import org.u2sa.service.directory.ClockAgreement;
 import org.u2sa.testkit.FreePort;
 
 /** Processes of one system whose machines' times of day differ. */

@@ -11,11 +11,15 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.contract.Condition;
+import org.u2sa.messages.safety.ArmCommand;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.EmergencyStop;
 import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.service.actuator.EmergencyLatch;
+import org.u2sa.testkit.ServiceKit;
 
 /** What must be there before the vehicle is armed. */
 @Timeout(120)
@@ -164,5 +168,86 @@ class ArmingTest extends WatchedVehicle {
     live(1.0);
 
     assertThat(kit.latest(Channels.ARMING_STATE).orElseThrow().armed()).isFalse();
+  }
+
+  private long secondsAgo(double seconds) {
+    return kit.clock().micros() - Clock.micros(seconds);
+  }
+
+  /** A bridge to an outside broker keeps orders while the link is down. */
+  @Test
+  void arm_orderOlderThanItsExpiry_isRefusedAndDisarmingIsNot() {
+    start();
+    live(1.0);
+    ArmCommand late = armCommand(true);
+    late.timestamp(secondsAgo(20.0));
+    ArmingState refused = arm(late);
+
+    assertThat(refused.armed()).isFalse();
+    assertThat(refused.requestId()).contains("7");
+    assertThat(refused.reasons())
+        .singleElement()
+        .asString()
+        .startsWith("the order arrived 20.")
+        .endsWith("give it again (if it was given just now, the clocks differ)");
+    ArmCommand inTime = armCommand(true);
+    inTime.timestamp(secondsAgo(4.5));
+    assertThat(arm(inTime).armed()).isTrue();
+    ArmCommand disarm = armCommand(false);
+    disarm.timestamp(secondsAgo(29.0));
+    assertThat(arm(disarm).armed()).isFalse();
+  }
+
+  @Test
+  void arm_withoutExpiryOfOrders_countsWheneverItArrives() {
+    kit.with("ORDER EXPIRY", 0.0);
+    start();
+    live(1.0);
+    ArmCommand late = armCommand(true);
+    late.timestamp(secondsAgo(29.0));
+
+    assertThat(arm(late).armed()).isTrue();
+  }
+
+  /** At QoS 1 a message may arrive twice. */
+  @Test
+  void arm_orderThatArrivesAgainAfterDisarming_doesNotArmAgain() {
+    start();
+    live(0.3);
+    ArmCommand command = armCommand(true);
+    assertThat(arm(command).armed()).isTrue();
+    assertThat(arm(false).armed()).isFalse();
+    kit.forget();
+
+    ArmingState again = arm(command);
+
+    assertThat(again.armed()).isFalse();
+    assertThat(again.requestId()).contains(command.requestId());
+    assertThat(kit.published(Channels.ARMING_STATE)).noneMatch(ArmingState::armed);
+  }
+
+  @Test
+  void clear_olderThanItsExpiry_leavesTheStopInForceEverywhere() {
+    startArmed();
+    live(1.0);
+    EmergencyStop stop = new EmergencyStop().active(true).operator("Ann").stopId("Ann 1");
+    kit.publish(Channels.EMERGENCY_STOP, stop);
+    live(6.0);
+    EmergencyLatch actuator = new EmergencyLatch(kit.clock(), ServiceKit.SYSTEM_ID);
+    actuator.accept(stop);
+    EmergencyStop clear = new EmergencyStop().active(false).operator("Ann").lifts(List.of("Ann 1"));
+    clear.timestamp(secondsAgo(5.5));
+    actuator.accept(clear);
+    kit.forget();
+    kit.publish(Channels.EMERGENCY_STOP, clear);
+    kit.published(Channels.EMERGENCY_STOP).forEach(actuator::accept);
+
+    assertThat(actuator.isStopped()).isTrue();
+    assertThat(arm(true).reasons()).isNotEmpty();
+    kit.publish(
+        Channels.EMERGENCY_STOP,
+        new EmergencyStop().active(false).operator("Ann").lifts(List.of("Ann 1")));
+    live(0.3);
+    assertThat(arm(true).reasons()).isEmpty();
   }
 }

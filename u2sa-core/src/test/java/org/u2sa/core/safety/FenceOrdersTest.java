@@ -14,6 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -380,5 +381,18 @@ class FenceOrdersTest extends WatchedVehicle {
 
     assertThat(replace(withRally(square(-50, 50), points)).outcome())
         .contains("has 101 <rally>; expected at most 100");
+  }
+
+  @Test
+  void order_olderThanItsExpiry_isRefused() {
+    start();
+    live(30.0);
+    FenceOrder late = new FenceOrder().action(FenceAction.REPLACE).fence(square(-50, 50));
+    late.timestamp(kit.clock().micros() - Clock.micros(20.0));
+
+    FenceOrderResult result = order(late);
+
+    assertThat(result.accepted()).isFalse();
+    assertThat(result.outcome()).startsWith("the order arrived 20.");
   }
 }

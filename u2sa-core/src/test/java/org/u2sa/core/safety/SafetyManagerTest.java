@@ -200,4 +200,23 @@ class SafetyManagerTest extends WatchedVehicle {
     assertThat(kit.published(Channels.FAILSAFE)).hasSize(5);
     assertThat(kit.published(Channels.ARMING_STATE)).hasSize(5);
   }
+
+  /** An outside broker may deliver the last ones of an operator who has gone once more. */
+  @Test
+  void operator_lateHeartbeats_doNotEndTheFailsafe() {
+    startArmed();
+    OperatorHeartbeat last = new OperatorHeartbeat().operator("Ann");
+    kit.publish(Channels.OPERATOR, last);
+    live(6.0);
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.RETURN);
+
+    for (int i = 0; i < 5; i++) {
+      kit.publish(Channels.OPERATOR, last);
+      live(1.0);
+    }
+
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.RETURN);
+    assertThat(kit.log("SafetyManager"))
+        .anyMatch(line -> line.contains("ignored an operator's heartbeat (4 so far): the order"));
+  }
 }

@@ -26,6 +26,7 @@ import org.u2sa.testkit.ServiceKit;
  * otherwise.
  */
 abstract class WatchedVehicle {
+  private int commands;
   final ServiceKit kit = new ServiceKit();
   double sigmaM = 1.0;
   boolean position = true;
@@ -89,7 +90,16 @@ abstract class WatchedVehicle {
   }
 
   ArmingState arm(boolean arm) {
-    kit.publish(Channels.ARMING, new ArmCommand().requestId("7").arm(arm).operator("Ann"));
+    return arm(armCommand(arm));
+  }
+
+  /** IDs count from 7. */
+  ArmCommand armCommand(boolean arm) {
+    return new ArmCommand().requestId(String.valueOf(7 + commands++)).arm(arm).operator("Ann");
+  }
+
+  ArmingState arm(ArmCommand command) {
+    kit.publish(Channels.ARMING, command);
     kit.advance(0.1);
     return kit.published(Channels.ARMING_STATE).stream()
         .filter(state -> state.requestId().isPresent())

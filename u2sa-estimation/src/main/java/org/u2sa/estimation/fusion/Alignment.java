@@ -21,7 +21,7 @@ final class Alignment {
     s.isolate(FilterState.ATTITUDE + 2, square(Math.PI / Math.sqrt(3.0)));
     s.isolate(FilterState.RATE + 2, square(tuning.turnSigma()));
     wheelScale(s, tuning);
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < 3; i++) {
       s.isolate(FilterState.SPEED_BIAS + i, square(tuning.speedBiasSigma()));
     }
   }

@@ -58,6 +58,16 @@ final class DelayErrors {
     return NONE;
   }
 
+  /** Returns all delays to their initial uncertainty: wrong speeds have been mistaken for them. */
+  static void reopen(FilterState s, FilterTuning tuning) {
+    for (int slot = 0; slot < FilterState.DELAY_SLOTS; slot++) {
+      if (s.delaySource[slot] != FilterState.NO_SOURCE) {
+        s.x[FilterState.DELAYS + slot] = 0.0;
+        s.isolate(FilterState.DELAY + slot, tuning.delaySigmaS() * tuning.delaySigmaS());
+      }
+    }
+  }
+
   /** Correlates the position with the delay after the position was initialised from this source. */
   static void share(FilterState s, int slot) {
     if (slot == NONE) {

@@ -7,12 +7,12 @@ import org.ejml.data.DMatrixRMaj;
  * Nominal state, error covariance and source statistics at one time. Flat arrays, so that a state
  * is saved and restored by copying them.
  *
- * <p>Error state, 35 numbers: position (north, east, down [m]), velocity (the same axes [m/s]),
+ * <p>Error state, 36 numbers: position (north, east, down [m]), velocity (the same axes [m/s]),
  * attitude (a small rotation about north, east and down [rad]: Solà 2017, section 7, global angular
  * errors), gyroscope bias [rad/s], accelerometer bias [m/s²] and angular rate [rad/s] (each along
  * BODY_FRD), wind or current (north, east [m/s]), wheel-speed scale, {@link PersistentErrors} of
  * sources (positions, north and east [m]; headings [rad]), {@link DelayErrors} of position sources
- * [s], constant error of speeds over ground measured along BODY_FRD (x, y [m/s]).
+ * [s], constant error of speeds over ground measured along BODY_FRD [m/s].
  *
  * <p>The nominal position is geodetic, in double precision, once a source provides one. Error
  * vectors are along north, east and down at the vehicle itself, so there is no tangent plane with a
@@ -24,7 +24,7 @@ final class FilterState {
   static final int PERSISTENT_SLOTS = POSITION_SOURCES + HEADING_SOURCES;
   static final int PERSISTENT_STATES = 2 * POSITION_SOURCES + HEADING_SOURCES;
   static final int DELAY_SLOTS = 3; // position sources with an estimated delay
-  static final int N = 21 + PERSISTENT_STATES + DELAY_SLOTS + 2;
+  static final int N = 21 + PERSISTENT_STATES + DELAY_SLOTS + 3;
   static final int NO_SOURCE = -1;
   static final int RESUMED = -2; // unknown source with known biases
   static final int POSITION = 0;
@@ -63,8 +63,8 @@ final class FilterState {
   static final int DELAYS = PERSISTENT_VARIANCE + PERSISTENT_SLOTS; // s, by slot
   static final int STEADY_V = DELAYS + DELAY_SLOTS; // velocity before a change: north, east [m/s]
   static final int SLOPE = STEADY_V + 2; // sine of the pitch to which the wheel scale belongs
-  static final int SPEED_ERROR = SLOPE + 1; // x, y
-  private static final int SIZE = SPEED_ERROR + 2;
+  static final int SPEED_ERROR = SLOPE + 1; // three axes
+  private static final int SIZE = SPEED_ERROR + 3;
 
   private static final double A = 6_378_137.0; // semi-major axis [m], WGS-84 (NIMA TR8350.2)
   private static final double E2 = 6.694379990141316e-3; // first eccentricity squared

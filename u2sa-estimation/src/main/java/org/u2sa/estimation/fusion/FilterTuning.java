@@ -71,7 +71,7 @@ public record FilterTuning(
         1e-3,
         5.0,
         isGround ? 0.03 : 0.0,
-        domain == MotionDomain.UNDERWATER ? 0.002 : 0.0,
+        domain.speedBiasSigmaMps,
         4.0,
         100,
         30.0,

@@ -61,9 +61,9 @@ final class InertialContradiction {
   }
 
   /**
-   * Returns velocity, tilt, force bias and wheel scale to their initial uncertainty. Vehicles other
-   * than aircraft are levelled again by their specific force, which does not show an aircraft's
-   * bank.
+   * Returns velocity, tilt, force bias, wheel scale and delays to their initial uncertainty.
+   * Vehicles other than aircraft are levelled again by their specific force, which does not show an
+   * aircraft's bank.
    */
   void reopen(FilterState s) {
     double speed = tuning.domain().speedSigmaMps;
@@ -74,6 +74,7 @@ final class InertialContradiction {
       s.x[FilterState.LEVELLING + i] = 0.0;
     }
     Alignment.wheelScale(s, tuning);
+    DelayErrors.reopen(s, tuning);
     s.x[FilterState.LEVELLED] = 0.0;
     s.hasTilt = tuning.domain() == MotionDomain.AIR;
     s.isStrapdown = s.hasTilt;

@@ -115,7 +115,8 @@ final class KalmanUpdate {
     boolean isDelayObservable = DelayErrors.isObservable(state);
     for (int a = 0; a < touches; a++) {
       int i = touched[a];
-      boolean isCorrected = i < FilterState.DELAY || isDelayObservable;
+      boolean isDelay = i >= FilterState.DELAY && i < FilterState.DELAY + FilterState.DELAY_SLOTS;
+      boolean isCorrected = !isDelay || isDelayObservable;
       for (int c = 0; c < rows; c++) {
         k[c][i] = isCorrected ? product(g, i, inverse.data, c) : 0.0;
         dx[i] += k[c][i] * m.innovation[c];
@@ -199,6 +200,7 @@ final class KalmanUpdate {
       x[FilterState.BG + i] += dx[FilterState.GYRO_BIAS + i];
       x[FilterState.BF + i] += dx[FilterState.FORCE_BIAS + i];
       x[FilterState.W + i] += dx[FilterState.RATE + i];
+      x[FilterState.SPEED_ERROR + i] += dx[FilterState.SPEED_BIAS + i];
       if (state.isInertial) {
         x[FilterState.W + i] -= dx[FilterState.GYRO_BIAS + i];
       }
@@ -212,8 +214,6 @@ final class KalmanUpdate {
     x[FilterState.FLOW_NORTH] += dx[FilterState.FLOW];
     x[FilterState.FLOW_NORTH + 1] += dx[FilterState.FLOW + 1];
     x[FilterState.WHEEL_SCALE] += dx[FilterState.SCALE];
-    x[FilterState.SPEED_ERROR] += dx[FilterState.SPEED_BIAS];
-    x[FilterState.SPEED_ERROR + 1] += dx[FilterState.SPEED_BIAS + 1];
     for (int i = 0; i < FilterState.PERSISTENT_STATES; i++) {
       x[FilterState.PERSISTENT_ERRORS + i] += dx[FilterState.PERSISTENT + i];
     }

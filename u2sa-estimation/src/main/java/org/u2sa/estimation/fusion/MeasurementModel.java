@@ -167,7 +167,9 @@ final class MeasurementModel {
         if (!throughFluid && axis == 0 && s.variance(FilterState.SCALE) > 0.0) {
           linear.scale(1.0 + s.x[FilterState.WHEEL_SCALE], FilterState.SCALE);
         }
-        if (!throughFluid && axis < 2 && s.variance(FilterState.SPEED_BIAS + axis) > 0.0) {
+        // horizontally, an error through the fluid is indistinguishable from its flow
+        boolean canErr = !throughFluid || axis == 2;
+        if (canErr && s.variance(FilterState.SPEED_BIAS + axis) > 0.0) {
           linear.setLast(FilterState.SPEED_BIAS + axis, 1.0);
           linear.shift(s.x[FilterState.SPEED_ERROR + axis], 0.0);
         }

@@ -102,7 +102,7 @@ class KalmanUpdateTest {
     CommonOps_DDRM.invert(inverse);
     DMatrixRMaj k = new DMatrixRMaj(N, rows);
     CommonOps_DDRM.mult(g, inverse, k);
-    for (int i = FilterState.DELAY; i < N; i++) {
+    for (int i = FilterState.DELAY; i < FilterState.SPEED_BIAS; i++) {
       for (int c = 0; c < rows; c++) {
         k.set(i, c, 0.0);
       }

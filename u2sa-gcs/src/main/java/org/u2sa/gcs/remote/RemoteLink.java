@@ -6,21 +6,27 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.contract.DiscoveryRequest;
+import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.directory.ClockAgreement;
 
 /** A connection to a running system. Thread-safe. */
 public final class RemoteLink implements AutoCloseable {
   private static final long LOOK_MICROS = 20_000;
+  private static final double TIME_WITHIN_S = 1.0;
 
   private final String systemId;
   private final Clock clock;
@@ -28,6 +34,7 @@ public final class RemoteLink implements AutoCloseable {
   private final Consumer<String> trouble;
   private final Map<String, List<Consumer<U2SAData>>> listeners = new ConcurrentHashMap<>();
   private final Connection connection;
+  private volatile long aheadMicros; // lead of the system's time over the clock
   private final Thread ending; // also disconnects an interrupted command cleanly
 
   /**
@@ -62,6 +69,32 @@ public final class RemoteLink implements AutoCloseable {
   /** Returns the real-time clock used for waiting and for timestamps. */
   public Clock clock() {
     return clock;
+  }
+
+  /**
+   * Asks the system for its time, and from now on stamps messages with it: services judge orders by
+   * their age. Keeps this computer's time if nobody answers within a second, or if the system runs
+   * in simulated time.
+   */
+  public void adoptTime() throws InterruptedException {
+    ClockAgreement agreement = new ClockAgreement(clock.micros());
+    AtomicBoolean answered = new AtomicBoolean();
+    Consumer<U2SAData> listener =
+        message -> {
+          if (message instanceof DiscoveryResponse response) {
+            agreement.hear(response, clock.micros());
+            answered.set(true);
+          }
+        };
+    listen(Channels.DISCOVERY, listener);
+    try {
+      agreement.asked(clock.micros());
+      publish(Channels.DISCOVERY, new DiscoveryRequest());
+      await(answered::get, TIME_WITHIN_S);
+    } finally {
+      listenNoMore(Channels.DISCOVERY, listener);
+    }
+    aheadMicros = agreement.aheadMicros(trouble);
   }
 
   /**
@@ -103,7 +136,7 @@ public final class RemoteLink implements AutoCloseable {
         message.systemId(systemId);
       }
       if (message.timestamp().isEmpty()) {
-        message.timestamp(clock.micros());
+        message.timestamp(clock.micros() + aheadMicros);
       }
       message.freeze();
     }

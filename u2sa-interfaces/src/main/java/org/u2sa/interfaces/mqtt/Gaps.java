@@ -11,6 +11,9 @@ import org.u2sa.messages.schema.Origin;
  * before the first one received do not count. Thread-safe.
  */
 public final class Gaps {
+  /** Result of {@link #arrived} for a repetition, or a message older than the newest received. */
+  public static final long REPEATED = -1L;
+
   /** Senders and topics remembered; a gap of a forgotten one is not detected. */
   private static final int REMEMBERED = 4_096;
 
@@ -27,7 +30,10 @@ public final class Gaps {
       };
   private long missed;
 
-  /** Returns the number of messages missing immediately before this one; 0 without an origin. */
+  /**
+   * Returns the number of messages missing immediately before this one; 0 without an origin, {@link
+   * #REPEATED} if its number is not above the last one of its sender and topic.
+   */
   public synchronized long arrived(String topic, Optional<Origin> origin) {
     if (!origin.isPresent()) {
       return 0;
@@ -36,7 +42,7 @@ public final class Gaps {
     long sequence = origin.get().sequence();
     Long before = last.get(stream);
     if (before != null && sequence <= before) {
-      return 0; // duplicate, or retained by the broker
+      return REPEATED; // or retained by the broker
     }
     last.put(stream, sequence);
     long gap = before == null ? 0 : sequence - before - 1;

@@ -2,6 +2,7 @@ package org.u2sa.interfaces.mqtt;
 
 import java.util.concurrent.atomic.AtomicLong;
 import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.messages.cbor.MalformedMessageException;
@@ -9,7 +10,8 @@ import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Delivers messages from an MQTT connection to its receiver and counts failures in both directions.
+ * Delivers messages from an MQTT connection to its receiver, and counts failures in both
+ * directions.
  */
 final class IncomingMessages {
   private final MessageCodec codec;
@@ -26,7 +28,11 @@ final class IncomingMessages {
     try {
       U2SAData data = codec.decode(topic.typeChain(), payload);
       data.freeze();
-      noteGap(topic, gaps.arrived(topic.toString(), data.origin()));
+      long gap = gaps.arrived(topic.toString(), data.origin());
+      noteGap(topic, gap);
+      if (gap == Gaps.REPEATED && isState(channel)) {
+        return;
+      }
       if (channel.carries(data)) {
         receiver.receive(channel, data);
       } else {
@@ -37,6 +43,14 @@ final class IncomingMessages {
     } catch (RuntimeException e) { // an exception would end the session
       refuse("receiving a message on " + topic + " failed: " + e);
     }
+  }
+
+  /**
+   * Whether the channel's messages each replace the one before, so that an old one must not follow
+   * a new one: a broker may deliver messages twice after a reconnection. A stop always counts.
+   */
+  private static boolean isState(Channel<?> channel) {
+    return channel.isRetained() && !channel.equals(Channels.EMERGENCY_STOP);
   }
 
   private void noteGap(Topic topic, long gap) {

@@ -24,8 +24,8 @@ class GapsTest {
   void arrived_again_countsNothing() {
     arrived("a", 1);
     arrived("a", 2);
-    assertThat(arrived("a", 2)).isZero();
-    assertThat(arrived("a", 1)).isZero();
+    assertThat(arrived("a", 2)).isEqualTo(Gaps.REPEATED);
+    assertThat(arrived("a", 1)).isEqualTo(Gaps.REPEATED);
     assertThat(arrived("a", 3)).isZero();
 
     assertThat(gaps.missed()).isZero();

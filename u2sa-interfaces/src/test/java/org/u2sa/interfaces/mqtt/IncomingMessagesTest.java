@@ -12,6 +12,11 @@ import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.safety.ArmCommand;
+import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.EmergencyStop;
+import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.Origin;
 import org.u2sa.messages.schema.U2SAData;
@@ -116,6 +121,40 @@ class IncomingMessagesTest {
             "1 messages on " + TOPIC + " were missed (4 so far)",
             "4 messages on " + TOPIC + " were missed (8 so far)");
     assertThat(incoming.refused()).isZero();
+  }
+
+  private void arrives(Channel<?> channel, U2SAData message, long sequence) {
+    U2SAData copy = message.copy();
+    copy.freeze();
+    Topic topic = Topic.of("cessna", channel, message.type());
+    incoming.hand(channel, topic, codec.encode(copy, new Origin("a", sequence)));
+  }
+
+  /** After a reconnection, outside brokers deliver QoS 1 messages again. */
+  @Test
+  void hand_oldStateAfterANewOne_isIgnored() {
+    arrives(Channels.ARMING_STATE, new ArmingState().armed(true), 22);
+    arrives(Channels.ARMING_STATE, new ArmingState().armed(false), 23);
+    arrives(Channels.ARMING_STATE, new ArmingState().armed(true), 22);
+    arrives(Channels.FAILSAFE, new FailsafeState().action(FailsafeAction.HOLD), 7);
+    arrives(Channels.FAILSAFE, new FailsafeState().action(FailsafeAction.CONTINUE), 6);
+
+    assertThat(received).hasSize(3);
+    assertThat(received.get(1)).isEqualTo(new ArmingState().armed(false));
+    incoming.forget(Channels.ARMING_STATE); // subscribed again: the retained one counts
+    arrives(Channels.ARMING_STATE, new ArmingState().armed(false), 23);
+    assertThat(received).hasSize(4);
+  }
+
+  /** Whoever may stop a vehicle must not be able to silence another by its sequence numbers. */
+  @Test
+  void hand_stopAndEventWithAnOldNumber_areReceived() {
+    arrives(Channels.EMERGENCY_STOP, new EmergencyStop().active(false), Long.MAX_VALUE);
+    arrives(Channels.EMERGENCY_STOP, new EmergencyStop().active(true).stopId("b 1"), 3);
+    arrives(Channels.ARMING, new ArmCommand().requestId("1").arm(true), 9);
+    arrives(Channels.ARMING, new ArmCommand().requestId("2").arm(false), 8);
+
+    assertThat(received).hasSize(4);
   }
 
   @Test

@@ -218,6 +218,7 @@ final class StateSensors {
     double reach = file.positive("reach", "m", 10_000.0);
     Mount mount = Mount.place(file);
     return new SensorKinds.Reader(
+        Map.of("DELAY", errors.latencyS()),
         vehicle ->
             new SimulatedVelocityLog(
                 errors,

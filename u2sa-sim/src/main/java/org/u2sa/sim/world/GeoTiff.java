@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.Iterator;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.plugins.tiff.TIFFDirectory;
@@ -32,6 +33,7 @@ final class GeoTiff {
   private static final int TIEPOINT = 33_922; // ModelTiepoint: column, row, 0, x, y, z
   private static final int KEYS = 34_735; // GeoKeyDirectory
   private static final int NO_DATA = 42_113; // GDAL_NODATA
+  private static final Pattern NOT_FINITE = Pattern.compile("(?i)[+-]?(nan|inf(inity)?)");
   private static final int MODEL_TYPE = 1_024; // GTModelTypeGeoKey: 1 projected, 2 geographic
   private static final int RASTER_TYPE = 1_025; // GTRasterTypeGeoKey: 1 area, 2 point
   private static final int GEODETIC_CRS = 2_048;
@@ -159,9 +161,11 @@ final class GeoTiff {
     return 0;
   }
 
+  /** NaN if none is given, or if it is not finite: such heights never count. */
   private static double noData(TIFFDirectory tags) {
     TIFFField field = tags.getTIFFField(NO_DATA);
-    return field == null ? Double.NaN : Double.parseDouble(field.getAsString(0).trim());
+    String text = field == null ? "nan" : field.getAsString(0).trim();
+    return NOT_FINITE.matcher(text).matches() ? Double.NaN : Double.parseDouble(text);
   }
 
   private HeightMap around(LocalPlane plane, double widthM, double depthM) throws IOException {

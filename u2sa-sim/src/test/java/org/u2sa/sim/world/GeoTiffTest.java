@@ -15,6 +15,8 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
@@ -26,6 +28,7 @@ class GeoTiffTest {
   private static final Geodetic ORIGIN = new Geodetic(9.0, 54.0, 100.0);
 
   @TempDir private Path folder;
+  private String noData = "-9999";
 
   private record Tag(int id, int type, int count, byte[] data) {}
 
@@ -89,7 +92,8 @@ class GeoTiffTest {
             0,
             1,
             crs));
-    tags.add(new Tag(42_113, 2, 6, "-9999\0".getBytes(StandardCharsets.US_ASCII)));
+    byte[] absent = (noData + "\0").getBytes(StandardCharsets.US_ASCII);
+    tags.add(new Tag(42_113, 2, absent.length, absent));
     int directory = 8 + strip;
     int extra = directory + 2 + 12 * tags.size() + 4;
     ByteBuffer file = little(extra + 1_000);
@@ -171,6 +175,24 @@ class GeoTiffTest {
     Arrays.fill(holes, -9_999.0f);
     Point here = new UtmGrid(ReferenceFrame.parse("UTM 32N")).grid(ORIGIN);
     Path empty = write(holes, 10.0, Point.of(here.x() - 200.0, here.y() + 200.0, 0.0), 1, 32_632);
+    assertThatThrownBy(() -> GeoTiff.read(empty, new LocalPlane(ORIGIN), 100.0, 80.0))
+        .hasMessageContaining("has no height in column");
+  }
+
+  /** GDAL writes these in lower case. */
+  @ParameterizedTest
+  @ValueSource(strings = {"nan", "-inf", "inf", "NaN"})
+  void read_noDataValueThatIsNotFinite_isReadAndRefusesOnlyHoles(String value) throws IOException {
+    noData = value;
+    Point here = new UtmGrid(ReferenceFrame.parse("UTM 32N")).grid(ORIGIN);
+    Point corner = Point.of(here.x() - 200.0, here.y() + 200.0, 0.0);
+    Path file = write(slope(), 10.0, corner, 1, 32_632);
+    assertThat(GeoTiff.read(file, new LocalPlane(ORIGIN), 100.0, 80.0).heightM(0.0, 0.0))
+        .isCloseTo(58.5, within(0.1));
+
+    float[] holes = slope();
+    Arrays.fill(holes, Float.parseFloat(value.replace("nan", "NaN").replace("inf", "Infinity")));
+    Path empty = write(holes, 10.0, corner, 1, 32_632);
     assertThatThrownBy(() -> GeoTiff.read(empty, new LocalPlane(ORIGIN), 100.0, 80.0))
         .hasMessageContaining("has no height in column");
   }

@@ -146,5 +146,10 @@ function head(out, major, count) {
   if (count < 24) out.push(type | count);
   else if (count < 0x100) out.push(type | 24, count);
   else if (count < 0x10000) out.push(type | 25, count >> 8, count & 0xff);
-  else out.push(type | 26, count >>> 24, count >> 16 & 0xff, count >> 8 & 0xff, count & 0xff);
+  else if (count < 0x100000000) out.push(type | 26, count >>> 24, count >> 16 & 0xff, count >> 8 & 0xff, count & 0xff);
+  else {
+    const bytes = new Uint8Array(8);
+    new DataView(bytes.buffer).setBigUint64(0, BigInt(count));
+    out.push(type | 27, ...bytes);
+  }
 }

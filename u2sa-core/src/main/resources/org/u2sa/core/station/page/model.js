@@ -6,6 +6,7 @@ import {playbackOf} from './playback.js';
 import {sound} from './sound.js';
 
 export const STALE_MS = 1000;
+const REAL_SINCE_MICROS = 1e15; // 2001
 const MAX_VEHICLES = 64; // names come from messages
 const MAX_NAMES = 256; // services, batteries and path planners of one vehicle
 const MAX_ELEMENTS = 1000; // of a list in an answer
@@ -45,7 +46,20 @@ export class Vehicle {
     this.arming = null;
     this.failsafe = null;
     this.lastStop = '';
+    this.clockAhead = undefined; // of performance.now() [µs], less the fastest message's way
     this.events = [];
+  }
+
+  /** Takes a timestamp of the vehicle [µs]: its clock, not the browser's, tells the age of an order. */
+  heardAt(timestamp) {
+    if (!(timestamp > REAL_SINCE_MICROS)) return; // simulated time, which may run faster
+    const ahead = Number(timestamp) - performance.now() * 1000;
+    if (ahead > this.clockAhead || this.clockAhead === undefined) this.clockAhead = ahead;
+  }
+
+  /** The vehicle's time [µs]; undefined before its first message. */
+  now() {
+    return this.clockAhead === undefined ? undefined : BigInt(Math.round(this.clockAhead + performance.now() * 1000));
   }
 
   isStale(now = performance.now()) {
@@ -143,6 +157,7 @@ const HANDLERS = {
     vehicle.state = fields;
     vehicle.flies = vehicle.flies || type === 'AircraftState';
     vehicle.stateAt = performance.now();
+    if (fields.timestamp !== undefined) vehicle.heardAt(fields.timestamp);
     const at = vehicle.place.ofState(fields);
     if (!at) return;
     const last = vehicle.trail[vehicle.trail.length - 1];
@@ -264,6 +279,7 @@ const HANDLERS = {
       vehicle.log(`failsafe ${fields.action}: ${(fields.causes || []).join('; ') || 'no cause'}`, fields.action === 'CONTINUE' ? 'info' : 'error');
     }
     vehicle.failsafe = fields;
+    if (fields.timestamp !== undefined) vehicle.heardAt(fields.timestamp);
   },
 
   'emergency-stop'(vehicle, fields) {

@@ -28,7 +28,7 @@ export class Orders {
     });
     answer.catch(() => undefined); // awaited below unless publishing fails
     try {
-      await Promise.race([this.link.publish(vehicle.id, channel, type, {requestId, ...fields}), answer]);
+      await Promise.race([this.link.publish(vehicle.id, channel, type, {requestId, timestamp: vehicle.now(), ...fields}), answer]);
       return await answer;
     } finally {
       this.pending.delete(requestId);
@@ -145,7 +145,7 @@ export class Orders {
   async clearStops(vehicle) {
     const lifts = vehicle.stops().inForce;
     this.stop = null;
-    await this.link.publish(vehicle.id, 'emergency-stop', 'EmergencyStop', {active: false, operator: this.operator, reason: 'cleared on the web page', lifts}, true);
+    await this.link.publish(vehicle.id, 'emergency-stop', 'EmergencyStop', {active: false, timestamp: vehicle.now(), operator: this.operator, reason: 'cleared on the web page', lifts}, true);
     await this.until(() => !vehicle.stops().inForce.some(id => lifts.includes(id)));
     return 'emergency stop cleared';
   }

@@ -7,7 +7,7 @@ const listOf = isElement => value => Array.isArray(value) && value.every(isEleme
 
 /** What the fields that the page reads must be. `current` is a number or a list, by the message. */
 const EXPECTED = new Map([
-  [Number.isFinite, 'x y z xDot yDot zDot phi theta psi xSigma ySigma radius length width horizontalThreshold timeLimit remaining voltage elapsed callbackP99 interval dropped missed exceptions left bottom resolution columns rows revision'],
+  [Number.isFinite, 'x y z xDot yDot zDot phi theta psi xSigma ySigma radius length width horizontalThreshold timeLimit remaining voltage elapsed callbackP99 interval timestamp dropped missed exceptions left bottom resolution columns rows revision'],
   [isText, 'uid referenceFrame objectType level status condition reason action operator serviceName sensorName subsystem lastError mission failsafe result description repeatFrom'],
   [listOf(isText), 'type next nextIfDone nextIfFailed nextIfTimedOut sequence emergencyStops remarks reasons causes cells'],
   [isPoint, 'point'],

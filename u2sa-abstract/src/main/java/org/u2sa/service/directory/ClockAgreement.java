@@ -1,4 +1,4 @@
-package org.u2sa.core.launch;
+package org.u2sa.service.directory;
 
 import java.util.Locale;
 import java.util.function.Consumer;
@@ -10,7 +10,7 @@ import org.u2sa.messages.contract.DiscoveryResponse;
  * one request and the timestamps of its answers (as in NTP, RFC 5905, section 8): an answer was
  * stamped between the request and its own arrival. The fastest answer counts. Thread-safe.
  */
-final class ClockAgreement {
+public final class ClockAgreement {
   /** Smaller offsets are not corrected [µs]. */
   private static final long TOLERATED_MICROS = 100_000;
 
@@ -22,15 +22,16 @@ final class ClockAgreement {
   private long aheadMicros;
   private long errorMicros = Clock.NEVER;
 
-  ClockAgreement(long nowMicros) {
+  public ClockAgreement(long nowMicros) {
     askedMicros = nowMicros;
   }
 
-  synchronized void asked(long nowMicros) {
+  /** Call immediately before the request is sent. */
+  public synchronized void asked(long nowMicros) {
     askedMicros = nowMicros;
   }
 
-  synchronized void hear(DiscoveryResponse answer, long nowMicros) {
+  public synchronized void hear(DiscoveryResponse answer, long nowMicros) {
     long saidMicros = answer.timestamp().orElse(0L);
     long error = (nowMicros - askedMicros) / 2;
     if (saidMicros > REAL_SINCE_MICROS && error < errorMicros) {
@@ -45,7 +46,7 @@ final class ClockAgreement {
    *
    * @param log receives a message if the clocks disagree
    */
-  synchronized long aheadMicros(Consumer<String> log) {
+  public synchronized long aheadMicros(Consumer<String> log) {
     if (Math.abs(aheadMicros) <= TOLERATED_MICROS + (source.isEmpty() ? 0L : errorMicros)) {
       return 0L;
     }
