@@ -46,8 +46,8 @@ final class IncomingMessages {
   }
 
   /**
-   * Whether the channel's messages each replace the one before, so that an old one must not follow
-   * a new one: a broker may deliver messages twice after a reconnection. A stop always counts.
+   * Whether each message of the channel supersedes all earlier ones: a broker may deliver old ones
+   * again after a reconnection. A stop always counts.
    */
   private static boolean isState(Channel<?> channel) {
     return channel.isRetained() && !channel.equals(Channels.EMERGENCY_STOP);
