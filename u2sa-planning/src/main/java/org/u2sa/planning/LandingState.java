@@ -89,8 +89,12 @@ final class LandingState implements PlannerState {
     double downM = vehicle.nedOf(Place.of(goal)).z();
     double climbMps = pursuit.state().zDot().orElse(0.0);
     boolean isLow = downM < LOW_M + SIGMAS * pursuit.state().zSigma().orElse(0.0);
-    boolean mayStand =
-        descent().isFinal() && (isLow || descent() == vertical && !detour.isHeldUp());
+    double upright =
+        Math.cos(pursuit.state().phi().orElse(0.0)) * Math.cos(pursuit.state().theta().orElse(0.0));
+    boolean isVertical = descent() == vertical;
+    // A vehicle that waits above something does not sink either.
+    boolean waits = isVertical && detour.isHeldUp() && upright >= COS_ON_SIDE;
+    boolean mayStand = descent().isFinal() && !waits && (isLow || isVertical);
     if (!mayStand || Math.hypot(vehicle.speedMps(), climbMps) > STILL_MPS) {
       sinceMicros = Long.MIN_VALUE;
       return plan;
@@ -108,8 +112,6 @@ final class LandingState implements PlannerState {
       sinceMicros = Long.MIN_VALUE; // it still sinks, slowly
       return plan;
     }
-    double upright =
-        Math.cos(pursuit.state().phi().orElse(0.0)) * Math.cos(pursuit.state().theta().orElse(0.0));
     double awayM = distanceM(goal, pursuit.state());
     String stands =
         isLow
