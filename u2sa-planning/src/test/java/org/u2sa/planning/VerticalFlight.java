@@ -14,7 +14,7 @@ import org.u2sa.messages.shape.Sphere;
 
 /** A multirotor that goes up and down to its navigation points, in place. */
 abstract class VerticalFlight extends PlannedVehicle {
-  private static final double STEP_S = 0.1;
+  static final double STEP_S = 0.1;
   static final double CLEARANCE_M = 5.0;
 
   double clearanceM = CLEARANCE_M;
