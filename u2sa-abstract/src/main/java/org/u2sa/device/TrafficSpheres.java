@@ -37,12 +37,13 @@ final class TrafficSpheres {
       @Variable(unit = "m", min = 0.1, max = 10_000, ifAbsent = 30)
           @Description("Standard deviation of a position, if the target reports none.")
           double positionSigma,
-      @Variable(unit = "m", min = 0.1, max = 10_000, ifAbsent = 30)
+      @Variable(unit = "m", min = 0.1, max = 10_000, ifAbsent = 10)
           @Description(
-              "Standard deviation of an altitude; with an outdated QNH, weather causes errors of up to 100 m in pressure altitudes.")
+              "Standard deviation of an altitude from one report to the next. An error common to all reports, such as of an outdated QNH, does not count: it would hide a climb or descent.")
           double altitudeSigma,
-      @Variable(unit = "m/s", min = 0.01, max = 1000, ifAbsent = 5)
-          @Description("Standard deviation of each component of a target's velocity.")
+      @Variable(unit = "m/s", min = 0.01, max = 1000, ifAbsent = 2)
+          @Description(
+              "Standard deviation of each component of a target's velocity; slower motion is recognized later.")
           double velocitySigma,
       @Variable(unit = "Pa", min = 85_000, max = 110_000, ifAbsent = PressureAltitude.SEA_LEVEL_PA)
           @Description("Current sea-level pressure, for targets that report pressure altitudes.")

@@ -44,6 +44,7 @@ final class GroundStay {
   private boolean returns;
   private List<Boolean> told = List.of(false, false, false, false);
   private boolean descends; // is being led to a landing
+  private boolean touchesDown; // a multirotor, at its end
   private long firstLed = NEVER;
   private OptionalDouble groundUpM = OptionalDouble.empty(); // where it last stood
   private OptionalDouble risesToM = OptionalDouble.empty(); // from the ground
@@ -91,6 +92,7 @@ final class GroundStay {
 
   /** Flown by hand, it may be anywhere afterwards. */
   void flownByHand() {
+    touchesDown = false;
     left = true;
     landed = false;
   }
@@ -104,9 +106,14 @@ final class GroundStay {
     }
   }
 
-  /** Sees that the vehicle is led to a goal. */
-  void lead(GoalInformation goal, Plan plan, long micros) {
+  /**
+   * Sees that the vehicle is led to a goal.
+   *
+   * @param touches whether it is about to touch down, or has
+   */
+  void lead(GoalInformation goal, Plan plan, boolean touches, long micros) {
     descends = goal instanceof Landing;
+    touchesDown = touches && !isAeroplane.getAsBoolean();
     boolean isAbandonedAtRest =
         plan.progress() == Plan.Progress.ABANDONED && plan.points().isEmpty();
     landed = descends && (plan.progress() == Plan.Progress.COMPLETED || isAbandonedAtRest);
@@ -145,8 +152,11 @@ final class GroundStay {
         : Optional.empty();
   }
 
-  /** Sees that the vehicle holds. */
+  /** Sees that the vehicle holds; a multirotor that is touching down completes that first. */
   void hold() {
+    landed |= touchesDown;
+    left &= !touchesDown;
+    touchesDown = false;
     climbs |= !atGround.isEmpty();
     atGround = "";
     firstLed = NEVER;

@@ -24,6 +24,8 @@ final class LandingState implements PlannerState {
   private static final double COS_ON_SIDE = 0.5; // 60 deg from upright
   private static final double LOW_M = 3.0; // height above the ground given by the goal
   private static final double SIGMAS = 2.0; // possible height error, in standard deviations
+  private static final double TOUCHES_M = 1.0; // height of a touch-down
+  private static final double TOUCHES_S = 1.0; // led down at rest for so long, it has touched down
   private static final double SINKS_SHARE = 0.2; // fraction of the touch-down sink rate, in the air
 
   /** One way to land. */
@@ -46,6 +48,7 @@ final class LandingState implements PlannerState {
   private final Supplier<FlightVariables> settings;
   private long sinceMicros = Long.MIN_VALUE; // when it stopped
   private double sinceDownM; // remaining height then [m]
+  private boolean touches; // or is on the ground
 
   LandingState(
       Detour detour,
@@ -76,9 +79,15 @@ final class LandingState implements PlannerState {
 
   @Override
   public void enter(Pursuit pursuit) {
+    touches = false;
     sinceMicros = Long.MIN_VALUE;
     Vehicle vehicle = Vehicle.of(pursuit.state()).orElseThrow();
     descent().begin((Landing) pursuit.goal(), pursuit.state(), vehicle);
+  }
+
+  @Override
+  public boolean touchesDown() {
+    return touches;
   }
 
   @Override
@@ -89,8 +98,12 @@ final class LandingState implements PlannerState {
     double downM = vehicle.nedOf(Place.of(goal)).z();
     double climbMps = pursuit.state().zDot().orElse(0.0);
     boolean isLow = downM < LOW_M + SIGMAS * pursuit.state().zSigma().orElse(0.0);
-    boolean mayStand =
-        descent().isFinal() && (isLow || descent() == vertical && !detour.isHeldUp());
+    double upright =
+        Math.cos(pursuit.state().phi().orElse(0.0)) * Math.cos(pursuit.state().theta().orElse(0.0));
+    // A vehicle that waits above something does not sink either.
+    boolean waits = descent() == vertical && detour.isHeldUp() && upright >= COS_ON_SIDE;
+    boolean mayStand = descent().isFinal() && !waits;
+    touches = mayStand && downM < TOUCHES_M;
     if (!mayStand || Math.hypot(vehicle.speedMps(), climbMps) > STILL_MPS) {
       sinceMicros = Long.MIN_VALUE;
       return plan;
@@ -101,6 +114,7 @@ final class LandingState implements PlannerState {
       sinceDownM = downM;
     }
     double stillS = Clock.seconds(now - sinceMicros);
+    touches |= stillS > TOUCHES_S;
     if (stillS < (isLow ? STANDS_S : STANDS_HIGH_S)) {
       return plan;
     }
@@ -108,8 +122,6 @@ final class LandingState implements PlannerState {
       sinceMicros = Long.MIN_VALUE; // it still sinks, slowly
       return plan;
     }
-    double upright =
-        Math.cos(pursuit.state().phi().orElse(0.0)) * Math.cos(pursuit.state().theta().orElse(0.0));
     double awayM = distanceM(goal, pursuit.state());
     String stands =
         isLow

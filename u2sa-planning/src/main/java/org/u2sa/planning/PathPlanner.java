@@ -340,6 +340,9 @@ public class PathPlanner extends EventDrivenService {
     if (!avoidance.world().age().isKnown()) {
       return List.of(); // the vehicle has not moved yet and must not take off
     }
+    if (ground.stays()) {
+      return ground.points(Vehicle.of(state).orElseThrow());
+    }
     return blind.brakes()
         ? List.of(NavigationPoint.at(Point.of(1.0, 0.0, 0.0)).speed(0.0))
         : hold(state, Optional.empty());
@@ -432,7 +435,7 @@ public class PathPlanner extends EventDrivenService {
             .map(up -> Plan.underWay(List.of(up)))
             .orElseGet(() -> planner.get().plan(pursuit));
     Plan plan = guarded(next, chosen, state);
-    ground.lead(chosen, plan, clock().micros());
+    ground.lead(chosen, plan, planner.get().touchesDown(), clock().micros());
     if (!plan.remark().isEmpty()) {
       LogLevelEnum level =
           plan.progress() == Plan.Progress.COMPLETED ? LogLevelEnum.INFO : LogLevelEnum.WARN;

@@ -31,6 +31,11 @@ public interface PlannerState {
   /** Plans the next step. Called for each state estimate while the goal is pursued. */
   Plan plan(Pursuit pursuit);
 
+  /** Whether the vehicle was about to touch down, or had, at the last {@link #plan}. */
+  default boolean touchesDown() {
+    return false;
+  }
+
   /**
    * Distance of a candidate goal [m]; the planner chooses the nearest. Called for goals of {@link
    * #goalClass} only.

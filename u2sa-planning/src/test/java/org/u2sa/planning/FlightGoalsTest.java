@@ -537,6 +537,23 @@ class FlightGoalsTest {
     assertThat(step(5.0)).isEqualTo(Point.of(0.0, 0.0, 1.0));
   }
 
+  @Test
+  void landing_aeroplaneStandsOnHigherGround_isGivenUpWithTheHeight() {
+    plane();
+    ned = Point.of(-800.0, 0.0, -40.0);
+    velocity = Point.of(20.0, 0.0, 0.0);
+    pursue(new Landing().approach(300.0).slope(0.1).psi(0.0).z(8.0).x(0.0).y(0.0));
+    while (kit.nowS() < 200.0 && reports().isEmpty()) {
+      step(ned.z() < 0.0 ? 20.0 : 0.0);
+      if (ned.z() >= 0.0) {
+        ned = Point.of(ned.x(), ned.y(), 0.0); // the ground
+        velocity = Point.ORIGIN;
+      }
+    }
+    assertThat(reports().get(0).abandoned()).isTrue();
+    assertThat(reports().get(0).reason().orElseThrow()).contains("stands 8.0 m above its position");
+  }
+
   /** The landing's position is above the ground: it would be climbed to. */
   @Test
   void landing_completedAndAtEndHold_staysOnTheGround() {

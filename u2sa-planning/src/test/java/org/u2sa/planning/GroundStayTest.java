@@ -55,7 +55,7 @@ class GroundStayTest {
 
   private void lead(double fromS, double toS) {
     for (double s = fromS; s <= toS; s += 0.1) {
-      watch.lead(TAKE_OFF.get(0), UNDER_WAY, Math.round(s * 1e6));
+      watch.lead(TAKE_OFF.get(0), UNDER_WAY, false, Math.round(s * 1e6));
     }
   }
 
@@ -128,9 +128,27 @@ class GroundStayTest {
     watch.see(vehicle(0.0, 6.0));
     assertThat(watch.stays()).isFalse();
 
-    watch.lead(new Landing(), new Plan(List.of(), Plan.Progress.COMPLETED, "stands"), 9_000_000L);
+    watch.lead(
+        new Landing(), new Plan(List.of(), Plan.Progress.COMPLETED, "stands"), false, 9_000_000L);
     assertThat(watch.stays()).isTrue();
     watch.flownByHand();
+    assertThat(watch.stays()).isFalse();
+  }
+
+  @Test
+  void hold_multirotorTouchesDown_staysUntilItIsLedForASecondAgain() {
+    isAeroplane = false;
+    watch.heedGoals(new GoalList().goals(TAKE_OFF));
+    lead(0.0, 2.0);
+    watch.hold();
+    assertThat(watch.stays()).isFalse();
+
+    watch.lead(new Landing().uid("down"), UNDER_WAY, true, 3_000_000L);
+    watch.hold();
+    assertThat(watch.stays()).isTrue();
+    assertThat(watch.points(vehicle(0.3, 0.0)).get(0).point().z()).isEqualTo(1.0);
+
+    lead(4.0, 5.2);
     assertThat(watch.stays()).isFalse();
   }
 
@@ -163,7 +181,8 @@ class GroundStayTest {
     isAeroplane = false;
     watch.heedGoals(new GoalList().goals(TAKE_OFF));
     lead(0.0, 2.0);
-    watch.lead(new Landing(), new Plan(List.of(), Plan.Progress.COMPLETED, "stands"), 3_000_000L);
+    watch.lead(
+        new Landing(), new Plan(List.of(), Plan.Progress.COMPLETED, "stands"), false, 3_000_000L);
     lead(4.0, 4.2);
     assertThat(watch.stays()).isTrue();
     lead(4.3, 5.2);
@@ -187,11 +206,11 @@ class GroundStayTest {
     GoalInformation landing = new Landing().uid("down");
     watch.see(vehicle(100.0, 0.0));
     watch.see(vehicle(103.0, 20.0));
-    watch.lead(landing, UNDER_WAY, 3_000_000L);
+    watch.lead(landing, UNDER_WAY, false, 3_000_000L);
 
     assertThat(climb(landing, 109.0)).isEmpty();
     assertThat(climb(waypoint(), 109.0)).hasValue(List.of(60.0, -31.0));
-    watch.lead(waypoint(), UNDER_WAY, 4_000_000L);
+    watch.lead(waypoint(), UNDER_WAY, false, 4_000_000L);
     assertThat(climb(waypoint(), 119.0)).hasValue(List.of(60.0, -21.0));
     assertThat(climb(waypoint(), 121.0)).isEmpty();
     assertThat(climb(waypoint(), 119.0)).isEmpty(); // a mission may descend below
@@ -206,12 +225,12 @@ class GroundStayTest {
     Vehicle sinking = vehicle(125.0, 20.0, 3.0);
     for (Optional<GoalInformation> next :
         List.of(Optional.<GoalInformation>of(waypoint()), Optional.<GoalInformation>empty())) {
-      watch.lead(new Landing().uid("down"), givenUp, 3_000_000L);
+      watch.lead(new Landing().uid("down"), givenUp, false, 3_000_000L);
       if (next.isEmpty()) {
         watch.hold();
       }
       assertThat(watch.climb(next, sinking, 60.0)).isPresent();
-      next.ifPresent(to -> watch.lead(to, UNDER_WAY, 4_000_000L));
+      next.ifPresent(to -> watch.lead(to, UNDER_WAY, false, 4_000_000L));
       assertThat(watch.climb(next, sinking, 60.0)).isPresent();
       assertThat(watch.climb(next, vehicle(124.0, 20.0), 60.0)).isEmpty();
       watch.hold();
@@ -226,7 +245,8 @@ class GroundStayTest {
     lead(0.0, 2.0);
     assertThat(climb(TAKE_OFF.get(0), 109.0)).isEmpty();
 
-    watch.lead(TAKE_OFF.get(0), new Plan(List.of(), Plan.Progress.COMPLETED, ""), 3_000_000L);
+    watch.lead(
+        TAKE_OFF.get(0), new Plan(List.of(), Plan.Progress.COMPLETED, ""), false, 3_000_000L);
     assertThat(climb(waypoint(), 109.0)).isEmpty();
     isAeroplane = false;
     assertThat(climb(null, 109.0)).isEmpty();

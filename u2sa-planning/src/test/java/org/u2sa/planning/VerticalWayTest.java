@@ -3,7 +3,6 @@ package org.u2sa.planning;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -11,9 +10,6 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.ObjectDescription;
-import org.u2sa.messages.ObjectList;
-import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
@@ -22,73 +18,10 @@ import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.TakeOff;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.shape.Circle;
-import org.u2sa.messages.shape.Cylinder;
 import org.u2sa.messages.shape.Sphere;
 
 /** Climbs and descents of a multirotor that goes to its navigation points, in place. */
-class VerticalWayTest extends PlannedVehicle {
-  private static final double STEP_S = 0.1;
-  private static final double CLEARANCE_M = 5.0;
-
-  private double upM;
-  private double highestM;
-  private double lowestM = Double.POSITIVE_INFINITY;
-  private double beforeM;
-
-  private void start(double fromM) {
-    kit.with("PLANNER", "GRID").with("VERTICAL CLEARANCE", CLEARANCE_M);
-    kit.with("EVASION CLIMB", 2.0).with("TRAFFIC CLEARANCE", 5.0).with("TRAFFIC HORIZON", 20.0);
-    kit.with("PLANNING CELL", 1.0).with("PLANNING SPAN", 100.0).with("GIVE UP AFTER", 20.0);
-    kit.start(PathPlanner::new);
-    upM = fromM;
-    beforeM = fromM;
-  }
-
-  /** Publishes objects and a state, and follows the answer vertically until above the ground. */
-  private void step(double groundM, ObjectDescription... objects) {
-    kit.advance(STEP_S);
-    kit.publish(Channels.OBJECTS, new ObjectList().objects(List.of(objects)));
-    double climbMps = (upM - beforeM) / STEP_S;
-    beforeM = upM;
-    kit.publish(
-        Channels.STATE,
-        state(0.1 * Math.sin(5.0 * kit.nowS()), 0, 0)
-            .z(-upM)
-            .xDot(0.0)
-            .yDot(0.0)
-            .zDot(-climbMps)
-            .phi(0.0)
-            .theta(0.0));
-    double down =
-        kit.latest(Channels.NAVIGATION)
-            .filter(point -> point.timestamp().orElse(0L) == kit.clock().micros())
-            .map(point -> new Attitude(0.0, 0.0, 0.0).nedOf(point.point()).z())
-            .orElse(0.0);
-    upM = Math.max(groundM, upM - STEP_S * Math.max(-3.0, Math.min(3.0, down)));
-    highestM = Math.max(highestM, upM);
-    lowestM = Math.min(lowestM, upM);
-  }
-
-  private void begin(Waypoint goal) {
-    goals(goal.horizontalThreshold(2.0).uid("1").referenceFrame(ReferenceFrame.LOCAL_NED));
-  }
-
-  private GoalInformation pursue(Waypoint goal, double limitS, ObjectDescription... objects) {
-    begin(goal);
-    while (kit.nowS() < limitS && kit.latest(Channels.GOAL_REPORTS).isEmpty()) {
-      step(0.0, objects);
-    }
-    return kit.latest(Channels.GOAL_REPORTS).orElseThrow();
-  }
-
-  /** A slab above and below the vehicle, 20 m wide. */
-  private static Cylinder slab(double bottomM, double topM) {
-    Cylinder slab = new Cylinder().radius(10.0).height(topM - bottomM);
-    slab.uid("bridge").objectType("bridge").referenceFrame(ReferenceFrame.LOCAL_NED);
-    slab.x(0.0).y(0.0).z(-0.5 * (bottomM + topM));
-    return slab;
-  }
-
+class VerticalWayTest extends VerticalFlight {
   static Stream<Arguments> upwards() {
     return Stream.of(
         Arguments.of("in the way of the climb", new TakeOff().z(-25.0)),
@@ -183,15 +116,6 @@ class VerticalWayTest extends PlannedVehicle {
     }
     assertThat(kit.latest(Channels.GOAL_REPORTS).orElseThrow().completed()).isTrue();
     assertThat(upM).isCloseTo(12.3, within(0.01));
-  }
-
-  /** Something that crosses the place at a time, seen as a sphere. */
-  private Sphere crossing(double atS, double mps, double highM, double radiusM) {
-    Sphere traffic = new Sphere().radius(radiusM);
-    traffic.uid("traffic").objectType("traffic").referenceFrame(ReferenceFrame.LOCAL_NED);
-    traffic.x(0.0).y(mps * (kit.nowS() - atS)).z(-highM);
-    traffic.motion().velocity(Point.of(0.0, mps, 0.0));
-    return traffic;
   }
 
   private double nearestTo(Waypoint goal, double fromM, double mps, double highM, double atS) {

@@ -12,10 +12,13 @@ final class LandingRefusal {
   /** Navigation below this height above ground means landing: no mission cruises this low [m]. */
   static final double LEADS_DOWN_M = 15.0;
 
-  /** The wind is evaluated once navigation leads below this, where a climb is still easy [m]. */
-  private static final double JUDGED_BELOW_M = 40.0;
+  /**
+   * Navigation above this height, or above the one to climb to, leads to the next approach. The
+   * wind is evaluated once it leads below, where a climb is still easy [m].
+   */
+  private static final double LEADS_UP_M = 42.0;
 
-  private static final double LEADS_UP_M = JUDGED_BELOW_M + 2.0; // hysteresis
+  private static final double HYSTERESIS_M = 2.0; // that much lower
 
   /** Closer to the flare, a descent cannot become a climb before touchdown [m]. */
   private static final double COMMITTED_ABOVE_FLARE_M = 6.0;
@@ -50,9 +53,10 @@ final class LandingRefusal {
       return refused;
     }
     double ledToM = target.get().altitudeM() - (state.altitudeM() - state.heightM());
+    double leadsUpM = Math.min(safeHeightM, LEADS_UP_M);
     if (refused) {
-      refused = ledToM < Math.min(safeHeightM, LEADS_UP_M);
-    } else if (ledToM < JUDGED_BELOW_M
+      refused = ledToM < leadsUpM;
+    } else if (ledToM < leadsUpM - HYSTERESIS_M
         && state.heightM() > committedHeightM + pullUpM(state)
         && approach.isKnown()) {
       crosswindMps = wind.acrossMps(approach.courseRad());

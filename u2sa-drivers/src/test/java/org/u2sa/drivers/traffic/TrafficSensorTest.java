@@ -54,7 +54,7 @@ class TrafficSensorTest {
     assertThat(ball.radius()).isEqualTo(150.0);
     assertThat(ball.level()).hasValue(ObjectLevel.AVOID_ALWAYS);
     assertThat(ball.motion().velocity().orElseThrow().x()).isCloseTo(44.74, within(0.01));
-    assertThat(ball.motion().velocitySigma()).hasValue(5.0);
+    assertThat(ball.motion().velocitySigma()).hasValue(2.0);
     assertThat(ball.motion().horizon()).hasValue(30.0);
     assertThat(ball.motion().sigma().orElseThrow().x()).isCloseTo(12.26, within(0.01));
     assertThat(ball.sensorName()).isEqualTo("TrafficSensor");

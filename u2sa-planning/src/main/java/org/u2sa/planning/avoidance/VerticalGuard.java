@@ -20,6 +20,8 @@ import org.u2sa.planning.seen.SeenWorld;
  */
 final class VerticalGuard {
   private static final double MIN_M = 0.3; // shorter ways up and down are not checked
+  private static final double CLOSER_SHARE =
+      0.02; // of a ball's radius: smaller approaches are free
   private static final double GROUND_M = 0.5; // an object this much higher is not the ground
   private static final double STANDS_MPS = 0.5;
   private static final double NOWHERE = Double.POSITIVE_INFINITY;
@@ -44,7 +46,9 @@ final class VerticalGuard {
 
   /**
    * Part of a vertical way that ends VERTICAL CLEARANCE before a static obstacle, as of the last
-   * update of the world: down [m]. An object of unknown height is no place to land on.
+   * update of the world: down [m]. None within that distance of one or inside its outline, if the
+   * way leads towards its middle: traffic that has stopped is a ball of its separation, and a
+   * measured altitude wanders. An object of unknown height is no place to land on.
    *
    * @param at vehicle on the plane [m]
    * @param way to its next point; obstacles are looked for as far along it as the vehicle needs to
@@ -75,7 +79,9 @@ final class VerticalGuard {
       boolean isEndless = Double.isInfinite(edge) && ground.isPresent() && sign > 0.0;
       double aheadM = isEndless ? Double.MIN_VALUE : sign * (edge - at.z());
       boolean isInTheWay =
-          aheadM > 0.0 && aheadM < freeM + now.verticalClearance() && edge < highestM;
+          (aheadM > 0.0 || nearsMiddle(shape, at, sign))
+              && aheadM < freeM + now.verticalClearance()
+              && edge < highestM;
       for (int i = 0; isInTheWay && i <= steps; i++) {
         double part = steps == 0 ? 0.0 : share * i / steps;
         if (shape.distanceM(at.x() + part * way.x(), at.y() + part * way.y()) < keptM) {
@@ -84,6 +90,22 @@ final class VerticalGuard {
       }
     }
     return sign * freeM;
+  }
+
+  /**
+   * Whether a vertical way leads towards the middle of a shape. A climb does not come closer to one
+   * with vertical sides that reaches from the vehicle's altitude upwards, such as a wall.
+   *
+   * @param sign direction of the way: 1 down, −1 up
+   */
+  private static boolean nearsMiddle(PlanarShape shape, Point at, double sign) {
+    double middleM = sign * (0.5 * (shape.topDownM() + shape.bottomDownM()) - at.z());
+    if (!shape.isBall()) {
+      return sign > 0.0 && middleM > 0.0;
+    }
+    double besideM = Math.hypot(at.x() - shape.northM(0), at.y() - shape.eastM(0));
+    double closerM = Math.hypot(besideM, middleM) - besideM;
+    return middleM > 0.0 && closerM > CLOSER_SHARE * shape.radiusM();
   }
 
   /** Whether traffic of unknown height is so close that it may be below. */

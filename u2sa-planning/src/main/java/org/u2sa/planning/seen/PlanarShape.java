@@ -16,6 +16,8 @@ public final class PlanarShape {
     AREA
   }
 
+  private static final double SAME_M = 1.0e-6; // rounding of a height
+
   private final String name;
   private final Kind kind;
   private final double[] norths;
@@ -102,6 +104,11 @@ public final class PlanarShape {
   /** Down coordinate of its bottom [m]; ∞ if unbounded. */
   public double bottomDownM() {
     return bottomDownM;
+  }
+
+  /** Whether it is a sphere, or a cylinder of the same proportions. */
+  public boolean isBall() {
+    return norths.length == 1 && Math.abs(heightM() - 2.0 * radiusM) < SAME_M && radiusM > 0.0;
   }
 
   /** Its height [m]; 0 if it is unbounded. */

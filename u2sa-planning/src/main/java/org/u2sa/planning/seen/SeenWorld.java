@@ -318,10 +318,17 @@ public final class SeenWorld {
     return mover.stands() && !(reading.get().heightMarginM() > 0.0 && mover.climbs());
   }
 
-  /** Current and possible motions of traffic. */
+  /**
+   * Current and possible motions of traffic. Where heights matter, what has just stopped may also
+   * stay: a vehicle above or below it would otherwise expect it to leave.
+   */
   private List<Mover> motions(Mover mover) {
     if (stands(mover)) {
-      return memory.mightMove(mover);
+      List<Mover> possible = new ArrayList<>(memory.mightMove(mover));
+      if (!possible.isEmpty() && reading.get().heightMarginM() > 0.0) {
+        possible.add(mover);
+      }
+      return possible;
     }
     memory.moves(mover);
     return List.of(mover);

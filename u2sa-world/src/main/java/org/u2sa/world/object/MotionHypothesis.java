@@ -7,6 +7,7 @@ import org.u2sa.messages.frame.Point;
 /** One motion model of an object: a filter per axis and the model's probability. */
 final class MotionHypothesis {
   private static final int AXES = 3;
+  private static final double DEFAULT_SPEED_SIGMA = 1.0; // [m/s]
   private static final double MIN_VARIANCE = 1e-12; // [m²], for measurements that claim zero error
 
   private final AxisFilter[] axes = new AxisFilter[AXES];
@@ -73,7 +74,7 @@ final class MotionHypothesis {
 
   void updateSpeed(Optional<Point> velocity, OptionalDouble sigma) {
     for (int i = 0; i < AXES && velocity.isPresent(); i++) {
-      axes[i].updateSpeed(axis(velocity.get(), i), squared(sigma.orElse(1.0)));
+      axes[i].updateSpeed(axis(velocity.get(), i), squared(sigma.orElse(DEFAULT_SPEED_SIGMA)));
     }
   }
 
@@ -107,6 +108,16 @@ final class MotionHypothesis {
     for (int i = 0; i < AXES; i++) {
       double total = axes[i].placeVariance + squared(axis(sigma, i));
       log -= total == 0.0 ? 0.0 : 0.5 * Math.log(total);
+    }
+    return log;
+  }
+
+  /** Log-likelihood of a measured velocity [m/s], up to a constant. */
+  double speedLikelihood(Point velocity, OptionalDouble sigma) {
+    double log = 0.0;
+    for (int i = 0; i < AXES; i++) {
+      double total = axes[i].speedVariance + squared(sigma.orElse(DEFAULT_SPEED_SIGMA));
+      log -= 0.5 * (squared(axis(velocity, i) - axes[i].speed) / total + Math.log(total));
     }
     return log;
   }

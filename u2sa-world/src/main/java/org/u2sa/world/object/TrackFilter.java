@@ -3,6 +3,7 @@ package org.u2sa.world.object;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.ToDoubleFunction;
 import org.u2sa.messages.frame.Point;
 
 /**
@@ -127,10 +128,11 @@ final class TrackFilter {
   }
 
   void update(Point place, Point sigma, Optional<Point> velocity, OptionalDouble velocitySigma) {
-    weigh(place, sigma);
+    weigh(each -> each.likelihood(place, sigma));
     standing.update(place, sigma);
     steady.update(place, sigma);
     turning.update(place, sigma);
+    velocity.ifPresent(v -> weigh(each -> each.speedLikelihood(v, velocitySigma)));
     steady.updateSpeed(velocity, velocitySigma);
     turning.updateSpeed(velocity, velocitySigma);
     if (turning.chance() > SURE * chance()) { // a steady course may start from here
@@ -144,17 +146,17 @@ final class TrackFilter {
   }
 
   /** Updates the model probabilities by Bayes' rule, with a lower bound. */
-  private void weigh(Point place, Point sigma) {
+  private void weigh(ToDoubleFunction<MotionHypothesis> likelihood) {
     if (all.size() == 1) {
       return;
     }
     double best = Double.NEGATIVE_INFINITY;
     for (MotionHypothesis each : all) {
-      best = Math.max(best, each.likelihood(place, sigma));
+      best = Math.max(best, likelihood.applyAsDouble(each));
     }
     double sum = 0.0;
     for (MotionHypothesis each : all) {
-      each.chance(each.chance() * Math.exp(each.likelihood(place, sigma) - best));
+      each.chance(each.chance() * Math.exp(likelihood.applyAsDouble(each) - best));
       sum += each.chance();
     }
     double floored = 0.0;

@@ -7,6 +7,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.messages.frame.Point;
 
 /** Standing and moving objects, by noisy sightings. */
@@ -141,5 +143,49 @@ class TrackFilterTest {
     assertThat(filter.isMoving()).isTrue();
     assertThat(filter.velocitySigma()).isLessThan(0.2); // of what may turn at will: 0.7 m/s
     assertThat(filter.velocity().distanceTo(Point.of(0.5, 0.0, 0.0))).isLessThan(0.3);
+  }
+
+  /** Sightings of a transponder: much less accurate in altitude. */
+  private static TrackFilter heard(Random random, TrackFilter before, double z, double speed) {
+    Point at = noisy(random, 0.0, 0.0).plus(Point.of(0.0, 0.0, z));
+    Point sigma = Point.of(3.0, 3.0, 30.0);
+    Optional<Point> velocity = Optional.of(Point.of(0.0, 0.0, speed));
+    OptionalDouble accuracy = OptionalDouble.of(2.0);
+    if (before == null) {
+      TrackFilter.Assumptions aircraft = new TrackFilter.Assumptions(25.0, 1.0, 0.05);
+      return new TrackFilter(at, sigma, velocity, accuracy, aircraft);
+    }
+    before.predict(1.0);
+    before.update(at, sigma, velocity, accuracy);
+    return before;
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {3.0, -3.0, -6.0})
+  void update_statedSlowDescentOrClimb_isFollowed(double mps) {
+    Random random = new Random(7L);
+    TrackFilter filter = null;
+    for (int second = 0; second < 40; second++) {
+      filter = heard(random, filter, mps * second, mps);
+      if (second > 12) {
+        assertThat(filter.isMoving()).isTrue();
+        assertThat(filter.place().z()).isCloseTo(mps * second, within(4.0));
+        assertThat(filter.velocity().z()).isCloseTo(mps, within(1.0));
+      }
+    }
+  }
+
+  @Test
+  void update_inaccurateVelocitiesOfStandingTraffic_isBelievedToStand() {
+    Random random = new Random(8L);
+    int believedToMove = 0;
+    for (int run = 0; run < 50; run++) {
+      TrackFilter filter = null;
+      for (int second = 0; second < 100; second++) {
+        filter = heard(random, filter, 0.0, 2.0 * random.nextGaussian());
+        believedToMove += second > 20 && filter.isMoving() ? 1 : 0;
+      }
+    }
+    assertThat(believedToMove).isZero();
   }
 }
