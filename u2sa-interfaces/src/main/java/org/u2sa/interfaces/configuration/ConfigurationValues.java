@@ -23,8 +23,8 @@ final class ConfigurationValues {
   private final String origin;
   private final boolean typed; // files state types, which must match; programs may pass 1 for 1.0
   private final Map<String, FileVariable> stated;
-  private final Set<String> overridden = new LinkedHashSet<>();
-  private final Map<String, String> texts = new HashMap<>(); // of inferred values, as written
+  private final Map<String, FileVariable> overriding = new LinkedHashMap<>(); // of overrides
+  private final Map<String, InferredValue> inferred = new HashMap<>(); // of overrides
   private final Set<String> tolerated = new HashSet<>();
   private final Set<String> readByName = new HashSet<>(); // read by name without a declaration
   private final Map<String, VariableDeclaration<?>> declared = new LinkedHashMap<>();
@@ -45,24 +45,52 @@ final class ConfigurationValues {
 
   void override(String name, Object value) {
     FileVariable statement = FileVariable.inMemory(origin, name, value);
-    if (value instanceof InferredValue inferred) {
-      texts.put(name, inferred.text());
+    if (value instanceof InferredValue written) {
+      inferred.put(name, written);
     } else {
-      texts.remove(name);
+      inferred.remove(name);
     }
-    overridden.add(name);
+    overriding.put(name, statement);
     stated.put(name, statement);
     values.put(name, statement.value());
   }
 
+  /** Current values of overridden variables, as {@link #override} takes them. */
   Map<String, Object> overrides() {
     Map<String, Object> all = new LinkedHashMap<>();
-    overridden.forEach(name -> all.put(name, values.get(name)));
+    for (String name : overriding.keySet()) {
+      FileVariable statement = stated.get(name);
+      if (inferred.containsKey(name)) {
+        all.put(name, inferred.get(name));
+      } else if (statement != null
+          && statement.value() instanceof Double
+          && statement.unit().isPresent()) { // not in the declared unit until it is declared
+        all.put(name, statement.text() + " " + statement.unit().get());
+      } else if (values.containsKey(name)) {
+        all.put(name, values.get(name));
+      }
+    }
     return all;
   }
 
   boolean isOverridden(String name) {
-    return overridden.contains(name);
+    return overriding.containsKey(name);
+  }
+
+  /**
+   * The override to which undoing a change returns: it is in force, or was when the change was
+   * made. Empty if the value is that of the file.
+   *
+   * @param before value before the change, as text
+   */
+  Optional<FileVariable> restored(String name, Optional<String> before) {
+    FileVariable override = overriding.get(name);
+    if (override == null) {
+      return Optional.empty();
+    }
+    String value = String.valueOf(bound(name, Optional.of(override)).value());
+    boolean inForce = override.equals(stated.get(name)) || before.equals(Optional.of(value));
+    return inForce ? Optional.of(override) : Optional.empty();
   }
 
   /**
@@ -100,10 +128,10 @@ final class ConfigurationValues {
     String name = variable.name();
     if (declared.get(name) != variable) {
       FileVariable statement = stated.get(name);
-      if (statement != null && (!typed || overridden.contains(name))) {
+      if (statement != null && (!typed || overriding.containsKey(name))) {
         statement = statement.withType(variable.type());
-        if (variable.type() == VariableType.STRING && texts.containsKey(name)) {
-          statement = FileVariable.inMemory(origin, name, texts.get(name));
+        if (variable.type() == VariableType.STRING && inferred.containsKey(name)) {
+          statement = FileVariable.inMemory(origin, name, inferred.get(name).text());
         }
       }
       BoundVariable bound =
@@ -111,7 +139,7 @@ final class ConfigurationValues {
       values.put(name, bound.value());
       declared.put(name, variable);
       if (statement != null) {
-        stated.put(name, statement);
+        overriding.replace(name, stated.put(name, statement), statement);
       }
     }
     return variable.cast(values.get(name));
@@ -183,8 +211,8 @@ final class ConfigurationValues {
 
   ConfigurationValues copy() {
     ConfigurationValues copy = new ConfigurationValues(origin, typed, stated);
-    copy.overridden.addAll(overridden);
-    copy.texts.putAll(texts);
+    copy.overriding.putAll(overriding);
+    copy.inferred.putAll(inferred);
     copy.tolerated.addAll(tolerated);
     copy.readByName.addAll(readByName);
     copy.declared.putAll(declared);
@@ -197,8 +225,8 @@ final class ConfigurationValues {
   /** Copy of the entries without declarations. */
   ConfigurationValues forSuccessor() {
     ConfigurationValues copy = new ConfigurationValues(origin, typed, stated);
-    copy.overridden.addAll(overridden);
-    copy.texts.putAll(texts);
+    copy.overriding.putAll(overriding);
+    copy.inferred.putAll(inferred);
     copy.tolerate(tolerated());
     return copy;
   }
@@ -230,8 +258,9 @@ final class ConfigurationValues {
   }
 
   void adopt(ChangePlanner.PlannedChange change) {
-    if (change.after().isPresent()) {
-      stated.put(change.name(), change.after().get());
+    inferred.remove(change.name());
+    if (change.inForce().isPresent()) {
+      stated.put(change.name(), change.inForce().get());
     } else {
       stated.remove(change.name());
     }
