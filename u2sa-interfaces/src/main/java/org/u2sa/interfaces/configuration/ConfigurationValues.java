@@ -3,7 +3,6 @@ package org.u2sa.interfaces.configuration;
 import java.util.AbstractMap.SimpleImmutableEntry;
 import java.util.ArrayList;
 import java.util.Collection;
-import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -23,8 +22,7 @@ final class ConfigurationValues {
   private final String origin;
   private final boolean typed; // files state types, which must match; programs may pass 1 for 1.0
   private final Map<String, FileVariable> stated;
-  private final Map<String, FileVariable> overriding = new LinkedHashMap<>(); // of overrides
-  private final Map<String, InferredValue> inferred = new HashMap<>(); // of overrides
+  private final Overrides overrides = new Overrides();
   private final Set<String> tolerated = new HashSet<>();
   private final Set<String> readByName = new HashSet<>(); // read by name without a declaration
   private final Map<String, VariableDeclaration<?>> declared = new LinkedHashMap<>();
@@ -45,36 +43,18 @@ final class ConfigurationValues {
 
   void override(String name, Object value) {
     FileVariable statement = FileVariable.inMemory(origin, name, value);
-    if (value instanceof InferredValue written) {
-      inferred.put(name, written);
-    } else {
-      inferred.remove(name);
-    }
-    overriding.put(name, statement);
+    overrides.put(statement, value);
     stated.put(name, statement);
     values.put(name, statement.value());
   }
 
   /** Current values of overridden variables, as {@link #override} takes them. */
   Map<String, Object> overrides() {
-    Map<String, Object> all = new LinkedHashMap<>();
-    for (String name : overriding.keySet()) {
-      FileVariable statement = stated.get(name);
-      if (inferred.containsKey(name)) {
-        all.put(name, inferred.get(name));
-      } else if (statement != null
-          && statement.value() instanceof Double
-          && statement.unit().isPresent()) { // not in the declared unit until it is declared
-        all.put(name, statement.text() + " " + statement.unit().get());
-      } else if (values.containsKey(name)) {
-        all.put(name, values.get(name));
-      }
-    }
-    return all;
+    return overrides.current(stated, values);
   }
 
   boolean isOverridden(String name) {
-    return overriding.containsKey(name);
+    return overrides.contains(name);
   }
 
   /**
@@ -84,13 +64,13 @@ final class ConfigurationValues {
    * @param before value before the change, as text
    */
   Optional<FileVariable> restored(String name, Optional<String> before) {
-    FileVariable override = overriding.get(name);
-    if (override == null) {
-      return Optional.empty();
-    }
-    String value = String.valueOf(bound(name, Optional.of(override)).value());
-    boolean inForce = override.equals(stated.get(name)) || before.equals(Optional.of(value));
-    return inForce ? Optional.of(override) : Optional.empty();
+    return overrides
+        .statement(name)
+        .filter(
+            override ->
+                override.equals(stated.get(name))
+                    || before.equals(
+                        Optional.of(String.valueOf(bound(name, Optional.of(override)).value()))));
   }
 
   /**
@@ -128,18 +108,15 @@ final class ConfigurationValues {
     String name = variable.name();
     if (declared.get(name) != variable) {
       FileVariable statement = stated.get(name);
-      if (statement != null && (!typed || overriding.containsKey(name))) {
-        statement = statement.withType(variable.type());
-        if (variable.type() == VariableType.STRING && inferred.containsKey(name)) {
-          statement = FileVariable.inMemory(origin, name, inferred.get(name).text());
-        }
+      if (statement != null && (!typed || overrides.contains(name))) {
+        statement = overrides.asText(statement.withType(variable.type()), variable.type());
       }
       BoundVariable bound =
           new BoundVariable(origin, name, Optional.of(variable), Optional.ofNullable(statement));
       values.put(name, bound.value());
       declared.put(name, variable);
       if (statement != null) {
-        overriding.replace(name, stated.put(name, statement), statement);
+        overrides.declared(stated.put(name, statement), statement);
       }
     }
     return variable.cast(values.get(name));
@@ -211,8 +188,7 @@ final class ConfigurationValues {
 
   ConfigurationValues copy() {
     ConfigurationValues copy = new ConfigurationValues(origin, typed, stated);
-    copy.overriding.putAll(overriding);
-    copy.inferred.putAll(inferred);
+    copy.overrides.putAll(overrides);
     copy.tolerated.addAll(tolerated);
     copy.readByName.addAll(readByName);
     copy.declared.putAll(declared);
@@ -225,8 +201,7 @@ final class ConfigurationValues {
   /** Copy of the entries without declarations. */
   ConfigurationValues forSuccessor() {
     ConfigurationValues copy = new ConfigurationValues(origin, typed, stated);
-    copy.overriding.putAll(overriding);
-    copy.inferred.putAll(inferred);
+    copy.overrides.putAll(overrides);
     copy.tolerate(tolerated());
     return copy;
   }
@@ -258,7 +233,7 @@ final class ConfigurationValues {
   }
 
   void adopt(ChangePlanner.PlannedChange change) {
-    inferred.remove(change.name());
+    overrides.replaced(change.name());
     if (change.inForce().isPresent()) {
       stated.put(change.name(), change.inForce().get());
     } else {
