@@ -100,7 +100,9 @@ final class ChangePlanner {
     } catch (IllegalArgumentException e) {
       throw error(name, e);
     }
-    Optional<FileVariable> inForce = memory.restored(name, value.before()).or(() -> after);
+    Optional<FileVariable> override = memory.restored(name, value.before());
+    Optional<FileVariable> inForce =
+        override.isPresent() ? override : after; // Android 9 has no or()
     Object newValue = memory.bound(name, inForce).value();
     return new PlannedChange(name, before, after, inForce, inMemory, newValue, true);
   }
