@@ -1,6 +1,10 @@
 package org.u2sa.cli;
 
 import java.io.PrintWriter;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
+import java.nio.file.NoSuchFileException;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import org.u2sa.cli.command.ExitCode;
@@ -56,6 +60,8 @@ final class ErrorAnswers implements IParameterExceptionHandler, IExecutionExcept
             || thrown instanceof CommunicationException;
     if (told) {
       err.println(PREFIX + provider.orElseGet(thrown::getMessage));
+    } else if (thrown instanceof FileSystemException file && file.getFile() != null) {
+      err.println(PREFIX + "cannot read or write " + file.getFile() + ": " + reason(file));
     } else {
       err.println(
           PREFIX
@@ -91,6 +97,19 @@ final class ErrorAnswers implements IParameterExceptionHandler, IExecutionExcept
     }
     // picocli's messages name Java types, which are meaningless to users
     return e.getMessage().replaceFirst("is not an? (long|int)$", "is not a whole number");
+  }
+
+  private static String reason(FileSystemException e) {
+    if (e instanceof AccessDeniedException) {
+      return "permission denied";
+    }
+    if (e instanceof NoSuchFileException) {
+      return "no such file or folder";
+    }
+    if (e instanceof FileAlreadyExistsException) {
+      return "a file of that name already exists";
+    }
+    return e.getReason() == null ? e.getClass().getSimpleName() : e.getReason();
   }
 
   private static String describe(Throwable thrown) {

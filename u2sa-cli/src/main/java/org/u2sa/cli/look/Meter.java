@@ -89,6 +89,7 @@ interface Meter {
     static final List<String> COLUMNS =
         List.of("MESSAGES", "SHORTEST", "MEDIAN", "P99", "LONGEST", "REMARK");
     private static final double OTHER_CLOCK_S = 86_400.0;
+    private static final double SAME_CLOCK_S = 0.001; // how well processes of one machine agree
 
     private final Spread delays = new Spread(); // [s]
     private long undated;
@@ -109,7 +110,7 @@ interface Meter {
       if (Math.abs(delays.quantile(0.5)) > OTHER_CLOCK_S) {
         return "timestamps come from another clock; simulated time?";
       }
-      return delays.quantile(0.0) < 0.0 ? "from the future: the clocks differ" : "";
+      return delays.quantile(0.0) < -SAME_CLOCK_S ? "from the future: the clocks differ" : "";
     }
 
     @Override

@@ -75,7 +75,10 @@ abstract class MissionFileCommand extends BaseCommand {
   }
 
   String content() throws IOException {
-    if (!Files.isRegularFile(file) || Files.size(file) > LONGEST) {
+    if (!Files.isRegularFile(file)) {
+      throw new BadInputException(file + ": no such file");
+    }
+    if (Files.size(file) > LONGEST) {
       throw new BadInputException(file + ": expected a file of at most 16 MiB");
     }
     try {

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -14,7 +15,7 @@ import org.u2sa.recorder.mcap.McapReader;
 import org.u2sa.recorder.mcap.record.McapMetadata;
 
 /** Files of a split recording. */
-final class RecordingParts {
+public final class RecordingParts {
   private static final Pattern NUMBERED = Pattern.compile("(.*-)(\\d{4,9})\\.mcap");
 
   private RecordingParts() {}
@@ -45,6 +46,26 @@ final class RecordingParts {
       } while (Files.isRegularFile(next) && follows(next, parts.get(parts.size() - 1)));
     }
     return parts;
+  }
+
+  /** Remark for a command that reads one file only; empty if no other one continues it. */
+  public static Optional<String> othersNotRead(Path file) {
+    List<Path> parts;
+    try {
+      parts = beginningWith(file);
+    } catch (IOException e) {
+      return Optional.empty(); // of the next file; the command reads only this one
+    }
+    int others = parts.size() - 1;
+    return others == 0
+        ? Optional.empty()
+        : Optional.of(
+            String.format(
+                "%s is part of a split recording; not read: %s",
+                file,
+                others == 1
+                    ? parts.get(1)
+                    : others + " more files, " + parts.get(1) + " to " + parts.get(others)));
   }
 
   private static boolean follows(Path next, Path before) throws IOException {

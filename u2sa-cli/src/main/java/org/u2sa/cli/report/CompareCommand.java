@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.cli.record.RecordingParts;
 import org.u2sa.interfaces.JsonText;
 import org.u2sa.report.page.RunPage;
 import org.u2sa.report.run.RunContent;
@@ -50,6 +51,7 @@ public final class CompareCommand extends BaseCommand {
         throw wrong(file + ": no such file");
       }
       runs.add(RunContent.read(file, Optional.empty()));
+      RecordingParts.othersNotRead(file).ifPresent(this::tell);
     }
     if (json) {
       List<JsonText> all = new ArrayList<>();

@@ -10,6 +10,7 @@ import java.util.stream.Collectors;
 import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.command.ProgramVersion;
+import org.u2sa.cli.record.RecordingParts;
 import org.u2sa.cli.record.SpanOptions;
 import org.u2sa.interfaces.JsonText;
 import org.u2sa.recorder.playback.RecordedMessages;
@@ -109,6 +110,7 @@ public final class ExportCommand extends BaseCommand {
       }
       recording.undecodable().ifPresent(what -> tell(what));
     }
+    RecordingParts.othersNotRead(file).ifPresent(this::tell);
     return ExitCode.DONE;
   }
 

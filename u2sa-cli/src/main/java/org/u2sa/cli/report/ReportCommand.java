@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.cli.record.RecordingParts;
 import org.u2sa.interfaces.JsonText;
 import org.u2sa.report.page.RunPage;
 import org.u2sa.report.run.RunContent;
@@ -58,6 +59,7 @@ public final class ReportCommand extends BaseCommand {
       }
     }
     RunContent run = RunContent.read(file, Optional.ofNullable(truth));
+    RecordingParts.othersNotRead(file).ifPresent(this::tell);
     if (json) {
       print(new JsonText().put("runs", List.of(run.json())).line());
       return ExitCode.DONE;

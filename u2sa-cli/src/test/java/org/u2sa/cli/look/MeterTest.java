@@ -63,6 +63,16 @@ class MeterTest {
     assertThat(same.cells(0)).containsExactly("1", "2.50 ms", "2.50 ms", "2.50 ms", "2.50 ms", "");
   }
 
+  @ParameterizedTest
+  @CsvSource({"999, ''", "1001, 'from the future: the clocks differ'"})
+  void delay_ahead_isRemarkedBeyondWhatClocksOfOneMachineDiffer(long aheadMicros, String remark) {
+    Meter.Delay meter = new Meter.Delay();
+    StateInformation state = new StateInformation();
+    state.timestamp(5_000_000L + aheadMicros);
+    meter.take(5_000_000L, state);
+    assertThat(meter.cells(0)).last().isEqualTo(remark);
+  }
+
   @Test
   void bandwidth_bytesPerSecond_areOfTheWholeTime() {
     Meter.Bandwidth meter = new Meter.Bandwidth(0);

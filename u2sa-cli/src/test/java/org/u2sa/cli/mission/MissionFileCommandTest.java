@@ -104,6 +104,7 @@ class MissionFileCommandTest extends CommandFixture {
   void import_noFileOrNothingToGoTo_isRefused() throws IOException {
     assertThat(u2sa("mission", "import", folder.resolve("none.plan").toString()))
         .isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(err.toString()).contains("none.plan: no such file");
     Path empty = file("empty.plan", "{\"fileType\":\"Plan\",\"mission\":{\"items\":[]}}");
     assertThat(u2sa("mission", "import", empty.toString())).isEqualTo(ExitCode.BAD_INPUT);
     assertThat(err.toString()).contains("contains no position to go to");

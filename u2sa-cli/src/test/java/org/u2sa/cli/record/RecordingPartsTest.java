@@ -49,6 +49,19 @@ class RecordingPartsTest {
   }
 
   @Test
+  void othersNotRead_splitRecording_areNamed() throws IOException {
+    Path first = write("r-0001.mcap", "5", 0, 10);
+    assertThat(RecordingParts.othersNotRead(first)).isEmpty();
+    Path second = write("r-0002.mcap", "5", 10, 20);
+    assertThat(RecordingParts.othersNotRead(first).orElseThrow()).endsWith("not read: " + second);
+    Path third = write("r-0003.mcap", "5", 21, 30);
+    assertThat(RecordingParts.othersNotRead(first).orElseThrow())
+        .endsWith("not read: 2 more files, " + second + " to " + third);
+    Files.writeString(second, "damaged");
+    assertThat(RecordingParts.othersNotRead(first)).isEmpty();
+  }
+
+  @Test
   void beginningWith_nextBeginsBeforeThisEnds_isAnotherRecording() throws IOException {
     Path first = write("r-0001.mcap", "5", 0, 10);
     write("r-0002.mcap", "5", 0, 10);

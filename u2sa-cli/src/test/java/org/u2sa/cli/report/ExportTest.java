@@ -81,6 +81,19 @@ class ExportTest extends CommandFixture {
     return new StateInformation().sensorName("filter");
   }
 
+  @Test
+  void csv_folderCannotBeCreated_isSaidWithItsName() throws IOException {
+    Path file = Files.writeString(folder.resolve("file.xml"), "");
+    String target = file.resolve("tables").toString();
+    assertThat(u2sa("export", recording.toString(), "--format", "csv", "--out", target))
+        .isEqualTo(ExitCode.FAILED);
+    assertThat(err.toString().lines())
+        .singleElement()
+        .asString()
+        .startsWith("u2sa: cannot read or write " + file)
+        .doesNotContain("unexpected");
+  }
+
   /** A vehicle that goes east over the antimeridian, and back. */
   private void writeOverTheAntimeridian() throws IOException {
     try (McapWriter writer = writer("antimeridian")) {

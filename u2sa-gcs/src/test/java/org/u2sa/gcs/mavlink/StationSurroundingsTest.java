@@ -6,10 +6,13 @@ import static org.assertj.core.api.Assertions.within;
 import io.dronefleet.mavlink.common.AdsbVehicle;
 import io.dronefleet.mavlink.common.ObstacleDistance;
 import io.dronefleet.mavlink.common.ServoOutputRaw;
+import io.dronefleet.mavlink.common.VfrHud;
 import io.dronefleet.mavlink.common.WindCov;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.StateInformation;
@@ -103,6 +106,26 @@ class StationSurroundingsTest {
     assertThat(outputs.servo1Raw()).isEqualTo(1000);
     assertThat(outputs.servo2Raw()).isEqualTo(1750);
     assertThat(outputs.servo3Raw()).isZero();
+  }
+
+  @ParameterizedTest
+  @CsvSource({"THROTTLE, 62.4, 62", "THROTTLE, -5, 0", "THROTTLE, 100, 100", "LEFT MOTOR, 50, 0"})
+  void throttle_command_isToldIfTheActuatorIsTheThrottle(
+      String actuator, double percent, int told) {
+    kit.says(new StateInformation().x(10.0).y(54.0).z(100.0).psi(0.0));
+    sees(PercentageCommand.of(actuator, percent));
+
+    assertThat(last(VfrHud.class).throttle()).isEqualTo(told);
+  }
+
+  @Test
+  void throttle_commandOfLongAgo_isNoLongerTold() {
+    sees(PercentageCommand.of("THROTTLE", 62.0));
+    kit.advance(1.5);
+    kit.says(new StateInformation().x(10.0).y(54.0).z(100.0).psi(0.0));
+    kit.advance(1.0);
+
+    assertThat(last(VfrHud.class).throttle()).isZero();
   }
 
   private <T> T last(Class<T> type) {

@@ -52,6 +52,7 @@ final class ChangePlanner {
         name,
         before,
         stands ? before : Optional.of(after),
+        stands ? before : Optional.of(after),
         memory.isOverridden(name) ? inMemory : valueOf(bound).orElse(inMemory),
         newValue,
         !stands || !newValue.equals(inMemory));
@@ -99,8 +100,11 @@ final class ChangePlanner {
     } catch (IllegalArgumentException e) {
       throw error(name, e);
     }
-    Object newValue = memory.bound(name, after).value();
-    return new PlannedChange(name, before, after, inMemory, newValue, true);
+    Optional<FileVariable> override = memory.restored(name, value.before());
+    Optional<FileVariable> inForce =
+        override.isPresent() ? override : after; // Android 9 has no or()
+    Object newValue = memory.bound(name, inForce).value();
+    return new PlannedChange(name, before, after, inForce, inMemory, newValue, true);
   }
 
   /** Whether an accepted change was never written, because power failed. */
@@ -140,6 +144,7 @@ final class ChangePlanner {
    *
    * @param before current file entry; empty if absent
    * @param after new file entry; empty to remove it
+   * @param inForce entry that the new value is from: the new file entry, or an override
    * @param oldValue in the declared unit
    * @param newValue in the declared unit
    * @param changes false if file and memory already have the new value
@@ -148,6 +153,7 @@ final class ChangePlanner {
       String name,
       Optional<FileVariable> before,
       Optional<FileVariable> after,
+      Optional<FileVariable> inForce,
       Object oldValue,
       Object newValue,
       boolean changes) {

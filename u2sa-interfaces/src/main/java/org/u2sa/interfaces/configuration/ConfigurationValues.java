@@ -3,7 +3,6 @@ package org.u2sa.interfaces.configuration;
 import java.util.AbstractMap.SimpleImmutableEntry;
 import java.util.ArrayList;
 import java.util.Collection;
-import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -23,8 +22,7 @@ final class ConfigurationValues {
   private final String origin;
   private final boolean typed; // files state types, which must match; programs may pass 1 for 1.0
   private final Map<String, FileVariable> stated;
-  private final Set<String> overridden = new LinkedHashSet<>();
-  private final Map<String, String> texts = new HashMap<>(); // of inferred values, as written
+  private final Overrides overrides = new Overrides();
   private final Set<String> tolerated = new HashSet<>();
   private final Set<String> readByName = new HashSet<>(); // read by name without a declaration
   private final Map<String, VariableDeclaration<?>> declared = new LinkedHashMap<>();
@@ -45,24 +43,34 @@ final class ConfigurationValues {
 
   void override(String name, Object value) {
     FileVariable statement = FileVariable.inMemory(origin, name, value);
-    if (value instanceof InferredValue inferred) {
-      texts.put(name, inferred.text());
-    } else {
-      texts.remove(name);
-    }
-    overridden.add(name);
+    overrides.put(statement, value);
     stated.put(name, statement);
     values.put(name, statement.value());
   }
 
+  /** Current values of overridden variables, as {@link #override} takes them. */
   Map<String, Object> overrides() {
-    Map<String, Object> all = new LinkedHashMap<>();
-    overridden.forEach(name -> all.put(name, values.get(name)));
-    return all;
+    return overrides.current(stated, values);
   }
 
   boolean isOverridden(String name) {
-    return overridden.contains(name);
+    return overrides.contains(name);
+  }
+
+  /**
+   * The override to which undoing a change returns: it is in force, or was when the change was
+   * made. Empty if the value is that of the file.
+   *
+   * @param before value before the change, as text
+   */
+  Optional<FileVariable> restored(String name, Optional<String> before) {
+    return overrides
+        .statement(name)
+        .filter(
+            override ->
+                override.equals(stated.get(name))
+                    || before.equals(
+                        Optional.of(String.valueOf(bound(name, Optional.of(override)).value()))));
   }
 
   /**
@@ -100,18 +108,15 @@ final class ConfigurationValues {
     String name = variable.name();
     if (declared.get(name) != variable) {
       FileVariable statement = stated.get(name);
-      if (statement != null && (!typed || overridden.contains(name))) {
-        statement = statement.withType(variable.type());
-        if (variable.type() == VariableType.STRING && texts.containsKey(name)) {
-          statement = FileVariable.inMemory(origin, name, texts.get(name));
-        }
+      if (statement != null && (!typed || overrides.contains(name))) {
+        statement = overrides.asText(statement.withType(variable.type()), variable.type());
       }
       BoundVariable bound =
           new BoundVariable(origin, name, Optional.of(variable), Optional.ofNullable(statement));
       values.put(name, bound.value());
       declared.put(name, variable);
       if (statement != null) {
-        stated.put(name, statement);
+        overrides.declared(stated.put(name, statement), statement);
       }
     }
     return variable.cast(values.get(name));
@@ -183,8 +188,7 @@ final class ConfigurationValues {
 
   ConfigurationValues copy() {
     ConfigurationValues copy = new ConfigurationValues(origin, typed, stated);
-    copy.overridden.addAll(overridden);
-    copy.texts.putAll(texts);
+    copy.overrides.putAll(overrides);
     copy.tolerated.addAll(tolerated);
     copy.readByName.addAll(readByName);
     copy.declared.putAll(declared);
@@ -197,8 +201,7 @@ final class ConfigurationValues {
   /** Copy of the entries without declarations. */
   ConfigurationValues forSuccessor() {
     ConfigurationValues copy = new ConfigurationValues(origin, typed, stated);
-    copy.overridden.addAll(overridden);
-    copy.texts.putAll(texts);
+    copy.overrides.putAll(overrides);
     copy.tolerate(tolerated());
     return copy;
   }
@@ -230,8 +233,9 @@ final class ConfigurationValues {
   }
 
   void adopt(ChangePlanner.PlannedChange change) {
-    if (change.after().isPresent()) {
-      stated.put(change.name(), change.after().get());
+    overrides.replaced(change.name());
+    if (change.inForce().isPresent()) {
+      stated.put(change.name(), change.inForce().get());
     } else {
       stated.remove(change.name());
     }

@@ -10,6 +10,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Function;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.interfaces.time.SystemClock;
 
 /**
  * A file as loaded, which detects later changes. The loaded content stays in force, but a restart
@@ -28,6 +29,7 @@ public final class LoadedFile<T> {
   private final Path file;
   private final Function<Path, T> reader;
   private final Clock clock;
+  private final Clock stopwatch;
   private final AtomicLong askedMicros = new AtomicLong(Clock.NEVER); // NEVER: no look is pending
   private final T content;
   private Optional<Stamp> loaded; // this and the next belong to the thread that looks
@@ -41,9 +43,19 @@ public final class LoadedFile<T> {
    * @throws BadInputException if the reader throws it, or the disk does not answer within 10 s
    */
   public LoadedFile(Path file, Function<Path, T> reader, Clock clock) {
+    this(file, reader, clock, new SystemClock());
+  }
+
+  /**
+   * @param clock the user's, which is never read: in a repeated execution every reading is one of
+   *     the recorded ones
+   * @param stopwatch measures how long a look takes
+   */
+  LoadedFile(Path file, Function<Path, T> reader, Clock clock, Clock stopwatch) {
     this.file = file;
     this.reader = reader;
     this.clock = clock;
+    this.stopwatch = stopwatch;
     content = within(LOADS_WITHIN_MS, file, this::load, clock);
   }
 
@@ -96,7 +108,7 @@ public final class LoadedFile<T> {
       look();
       return fault;
     }
-    long now = clock.micros();
+    long now = stopwatch.micros();
     if (askedMicros.compareAndSet(Clock.NEVER, now)) {
       DISK.execute(this::look);
     }

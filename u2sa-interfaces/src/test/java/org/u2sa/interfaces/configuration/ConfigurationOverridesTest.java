@@ -2,6 +2,7 @@ package org.u2sa.interfaces.configuration;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Map;
@@ -16,11 +17,14 @@ class ConfigurationOverridesTest extends RefusedFile {
       VariableDeclaration.number("BANK", "rad").range(Range.of(0.0, 1.0)).ifAbsent(0.5);
   private static final VariableDeclaration<Integer> PORT =
       VariableDeclaration.integer("PORT").ifAbsent(1883);
+  private static final VariableDeclaration<String> NAME =
+      VariableDeclaration.text("NAME").ifAbsent("");
   private static final ChangeOrigin ANN = new ChangeOrigin(0, "Test", "ann");
 
-  private static ConfigurationOutcome change(XmlConfiguration configuration, String name, int n) {
+  private static ConfigurationOutcome change(
+      XmlConfiguration configuration, String name, Object value) {
     return configuration.change(
-        Map.of(name, n), OptionalLong.empty(), ANN, ConfigurationCheck.NONE);
+        Map.of(name, value), OptionalLong.empty(), ANN, ConfigurationCheck.NONE);
   }
 
   @Test
@@ -176,5 +180,73 @@ class ConfigurationOverridesTest extends RefusedFile {
     }
 
     assertThat(undone).isEqualTo(100); // each undo is an entry as well, and pushes one out
+  }
+
+  @ParameterizedTest
+  @CsvSource({"0.25, 0.25", "18 deg, 0.3141592653589793"})
+  void undo_ofAChangeThatReplacedAnOverride_restoresTheOverrideAndTheFile(
+      String text, double expected) {
+    XmlConfiguration configuration =
+        configuration("<variable name='BANK' type='double' value='30' unit='deg'/>");
+    configuration.override("BANK", text.equals("0.25") ? (Object) 0.25 : text);
+    configuration.getVariable(BANK);
+    change(configuration, "BANK", 1);
+    change(configuration, "BANK", 0);
+    XmlConfiguration successor = configuration.forSuccessor();
+    assertThat(successor.getVariable(BANK)).isEqualTo(0.0);
+
+    assertThat(successor.undo(ANN, ConfigurationCheck.NONE).accepted()).isTrue();
+    assertThat(successor.getVariable(BANK)).isCloseTo(1.0, within(1e-12));
+
+    ConfigurationOutcome undone = successor.undo(ANN, ConfigurationCheck.NONE);
+    assertThat(undone.assignments().get(0).value()).contains(String.valueOf(expected));
+    assertThat(successor.getVariable(BANK)).isEqualTo(expected);
+    assertThat(successor.forSuccessor().getVariable(BANK)).isEqualTo(expected);
+    assertThat(file).content().contains("value='30'");
+    assertThat(XmlConfiguration.load(file).getVariable(BANK)).isCloseTo(0.5236, within(1e-4));
+  }
+
+  @Test
+  void undo_ofAChangeBeforeTheOverride_leavesTheOverrideInForce() {
+    XmlConfiguration earlier = configuration("<variable name='PORT' type='int' value='1'/>");
+    change(earlier, "PORT", 2);
+    XmlConfiguration configuration = XmlConfiguration.load(file);
+    configuration.override("PORT", 3);
+    configuration.getVariable(PORT);
+
+    assertThat(configuration.undo(ANN, ConfigurationCheck.NONE).accepted()).isTrue();
+    assertThat(configuration.getVariable(PORT)).isEqualTo(3);
+    assertThat(XmlConfiguration.load(file).getVariable(PORT)).isEqualTo(1);
+  }
+
+  @Test
+  void overrides_takenOverByAnotherConfiguration_giveTheSameValues() {
+    InferredValue name = new InferredValue("007", 7);
+    XmlConfiguration configuration = configuration("");
+    configuration.override("BANK", "18 deg");
+    configuration.override("NAME", name);
+    configuration.override("PORT", 4);
+    XmlConfiguration declared = configuration.forSuccessor();
+    declared.getVariable(BANK);
+    declared.getVariable(NAME);
+
+    for (XmlConfiguration each : List.of(configuration, declared, declared.forSuccessor())) {
+      XmlConfiguration other = XmlConfiguration.load(file);
+      each.overrides().forEach(other::override);
+      assertThat(other.getVariable(BANK)).isEqualTo(0.3141592653589793);
+      assertThat(other.getVariable(NAME)).isEqualTo("007");
+      assertThat(other.getVariable(PORT)).isEqualTo(4);
+    }
+  }
+
+  @Test
+  void forSuccessor_inferredTextChanged_hasTheNewText() {
+    XmlConfiguration configuration = configuration("");
+    configuration.override("NAME", new InferredValue("007", 7));
+    configuration.getVariable(NAME);
+    change(configuration, "NAME", "008");
+
+    assertThat(configuration.forSuccessor().getVariable(NAME)).isEqualTo("008");
+    assertThat(configuration.overrides()).containsEntry("NAME", "008");
   }
 }

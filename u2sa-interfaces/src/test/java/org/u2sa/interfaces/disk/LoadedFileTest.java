@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.LongSupplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -30,18 +31,26 @@ class LoadedFileTest {
   private final AtomicLong nowMicros = new AtomicLong(1_000);
   private volatile boolean hangs;
   private Path path;
+  private final Clock stopwatch = clock(nowMicros::get);
   private final Clock clock =
-      new Clock() {
-        @Override
-        public long micros() {
-          return nowMicros.get();
-        }
+      clock(
+          () -> {
+            throw new AssertionError("a repeated execution would read it at another time");
+          });
 
-        @Override
-        public Waiter newWaiter(String name) {
-          throw new UnsupportedOperationException();
-        }
-      };
+  private static Clock clock(LongSupplier micros) {
+    return new Clock() {
+      @Override
+      public long micros() {
+        return micros.getAsLong();
+      }
+
+      @Override
+      public Waiter newWaiter(String name) {
+        throw new UnsupportedOperationException();
+      }
+    };
+  }
 
   @BeforeEach
   void write() throws IOException {
@@ -76,7 +85,7 @@ class LoadedFileTest {
 
   @Test
   void fault_diskHangs_keepsTheLastFindingThenSaysSoAndDoesNotWait() throws IOException {
-    LoadedFile<String> file = new LoadedFile<>(path, this::read, clock);
+    LoadedFile<String> file = new LoadedFile<>(path, this::read, clock, stopwatch);
     hangs = true;
     Files.writeString(path, "changed");
 
@@ -94,7 +103,7 @@ class LoadedFileTest {
 
   @Test
   void fault_fileDeletedAndRestoredLater_isFoundByTheNextLooks() throws IOException {
-    LoadedFile<String> file = new LoadedFile<>(path, this::read, clock);
+    LoadedFile<String> file = new LoadedFile<>(path, this::read, clock, stopwatch);
     Path away = Files.move(path, folder.resolve("away.xml"));
     assertThat(found(file))
         .contains(path + ": unreadable; the previously loaded values stay in force");

@@ -8,9 +8,11 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import org.u2sa.interfaces.configuration.InferredValue;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
@@ -87,14 +89,20 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
     return new ExecutionStart(texts, files);
   }
 
-  /** Value prefixed with its class letter, for {@link #value}. */
+  /** Value prefixed with its class letter, a small one if inferred, for {@link #value}. */
   static String typed(Object value) {
+    if (value instanceof InferredValue inferred) {
+      return typed(inferred.value()).substring(0, 1).toLowerCase(Locale.ROOT) + " " + inferred;
+    }
     return value.getClass().getSimpleName().charAt(0) + " " + value;
   }
 
   /** Value of a {@link #typed} text. */
   static Object value(String typed) {
     String text = typed.substring(2);
+    if (Character.isLowerCase(typed.charAt(0))) {
+      return new InferredValue(text, value(typed.toUpperCase(Locale.ROOT)));
+    }
     return switch (typed.charAt(0)) {
       case 'I' -> Integer.valueOf(text);
       case 'D' -> Double.valueOf(text);

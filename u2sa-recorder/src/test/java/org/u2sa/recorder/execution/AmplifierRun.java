@@ -41,6 +41,7 @@ final class AmplifierRun {
   private static final int SWAP_AT = 60;
 
   final Map<String, Object> recorderValues = new HashMap<>();
+  final Map<String, Object> overrides = new HashMap<>();
   String moreVariables = ""; // in the configuration file
   boolean asked; // for the service's configuration
   List<Path> files; // of the recording
@@ -140,6 +141,7 @@ final class AmplifierRun {
             + moreVariables
             + "</configuration>");
     XmlConfiguration configuration = XmlConfiguration.load(file, folder.resolve("changed.xml"));
+    overrides.forEach(configuration::override);
     U2SAService service = make(maker, context(configuration).build());
     last = service;
     service.start();

@@ -2,6 +2,7 @@ package org.u2sa.recorder.execution;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.entry;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -19,6 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.configuration.InferredValue;
 import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.recorder.Recorder;
 import org.u2sa.recorder.execution.AmplifierRun.Amplifier;
@@ -137,8 +139,11 @@ class ForeignRecordingTest {
 
   @Test
   void context_overriddenVariable_isOverriddenAgain() throws IOException {
+    InferredValue text = new InferredValue("007", 7);
     texts.put(ExecutionStart.OVERRIDE + "GAIN", ExecutionStart.typed(2.5));
-    assertThat(context().configuration().overrides()).containsEntry("GAIN", 2.5);
+    texts.put(ExecutionStart.OVERRIDE + "NAME", ExecutionStart.typed(text));
+    assertThat(context().configuration().overrides())
+        .containsOnly(entry("GAIN", 2.5), entry("NAME", text));
   }
 
   @Test

@@ -116,6 +116,33 @@ class RerunOfSwapTest {
     assertThat(outcome.isIdentical()).isTrue();
   }
 
+  /** Has a length, stated in another unit. */
+  private static final class WithLength extends Amplifier {
+    private final double lengthM;
+
+    WithLength(ServiceContext context) {
+      super(context);
+      lengthM =
+          getVariable(
+              VariableDeclaration.number("LENGTH", "m").range(Range.of(0.0, 99.0)).ifAbsent(1.0));
+    }
+
+    @Override
+    double value(double of) {
+      return of + lengthM;
+    }
+  }
+
+  @Test
+  void rerun_successorOfOneWithAValueInAnotherUnit_isIdentical() throws Exception {
+    run.overrides.put("LENGTH", "90 cm");
+    run.successor = WithLength::new;
+    run.recordInLockstep(WithLength::new);
+    Rerun.Outcome outcome = run.rerun("Amplifier#2", WithLength::new);
+    assertThat(outcome.remarks()).isEmpty();
+    assertThat(outcome.isIdentical()).isTrue();
+  }
+
   /** Does not go on where another one was. */
   private static final class Unwilling extends Amplifier {
     Unwilling(ServiceContext context) {

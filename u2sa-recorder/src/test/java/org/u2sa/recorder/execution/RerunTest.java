@@ -14,6 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
+import org.u2sa.interfaces.disk.LoadedFile;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.recorder.execution.AmplifierRun.Amplifier;
 import org.u2sa.service.ServiceContext;
@@ -67,6 +68,31 @@ class RerunTest {
     assertThat(outcome.remarks()).isEmpty();
     assertThat(outcome.isIdentical()).isTrue();
     assertThat(state(outcome).recorded()).isPositive();
+  }
+
+  /** Watches its configuration file, as others do with missions and fences. */
+  private static final class Watching extends Amplifier {
+    private final LoadedFile<Boolean> file;
+
+    Watching(ServiceContext context) {
+      super(context);
+      Path watched = context.configuration().file().orElseThrow();
+      file = new LoadedFile<>(watched, Files::exists, context.clock());
+    }
+
+    @Override
+    double value(double of) {
+      file.fault();
+      return of;
+    }
+  }
+
+  @Test
+  void rerun_serviceThatWatchesAFileInRealTime_isIdentical() throws Exception {
+    run.recordInRealTime(Watching::new);
+    Rerun.Outcome outcome = run.rerun(Watching::new);
+    assertThat(outcome.remarks()).isEmpty();
+    assertThat(outcome.isIdentical()).isTrue();
   }
 
   @Test

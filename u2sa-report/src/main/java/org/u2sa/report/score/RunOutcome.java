@@ -28,6 +28,9 @@ public record RunOutcome(
   /** Number of waypoints that were left out because enough others were chosen. */
   public static final String WAYPOINTS_LEFT_OUT = "waypointsLeftOut";
 
+  /** Number of waypoints that operators moved; they are scored where they were moved to. */
+  public static final String WAYPOINTS_MOVED = "waypointsMoved";
+
   /** Number of tasks in the rules. */
   public static final String TASKS = "tasks";
 

@@ -1,5 +1,6 @@
 package org.u2sa.report.score;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -75,19 +76,18 @@ public record RunPlan(
     return new RunPlan(domain, home, waypoints, corners, out, surroundings);
   }
 
+  /** Copy with another waypoint at an index. */
+  public RunPlan with(int index, Waypoint waypoint) {
+    List<Waypoint> others = new ArrayList<>(waypoints);
+    others.set(index, waypoint);
+    return new RunPlan(domain, home, others, fence, keepOuts, surroundings);
+  }
+
   /** Copy with these capture radii of the waypoints [m], more than 0. */
   public RunPlan reachedWithin(ToDoubleFunction<Waypoint> radiusM) {
     List<Waypoint> within =
         waypoints.stream()
-            .map(
-                w ->
-                    new Waypoint(
-                        w.name(),
-                        w.longitudeDeg(),
-                        w.latitudeDeg(),
-                        w.altitudeM(),
-                        radiusM.applyAsDouble(w),
-                        w.verticalThresholdM()))
+            .map(w -> w.within(radiusM.applyAsDouble(w), w.verticalThresholdM()))
             .toList();
     return new RunPlan(domain, home, within, fence, keepOuts, surroundings);
   }
@@ -150,6 +150,11 @@ public record RunPlan(
     /** Its place at altitude 0. */
     public Geodetic onMap() {
       return new Geodetic(longitudeDeg, latitudeDeg, 0.0);
+    }
+
+    /** Copy that counts as reached within these distances [m]. */
+    public Waypoint within(double horizontalM, OptionalDouble verticalM) {
+      return new Waypoint(name, longitudeDeg, latitudeDeg, altitudeM, horizontalM, verticalM);
     }
   }
 }

@@ -70,6 +70,11 @@ public final class Track {
     }
   }
 
+  /** Removes a target from all samples so far, because its position has changed since. */
+  public void abandoned(int leg) {
+    samples.replaceAll(sample -> sample.leg() == leg ? sample.towards(-1) : sample);
+  }
+
   /** Kept samples, oldest first; a view that must not be used while appending. */
   public List<TrackSample> samples() {
     return Collections.unmodifiableList(samples);

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.SortedMap;
 import java.util.concurrent.Callable;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.command.ProgramVersion;
@@ -51,13 +52,16 @@ final class CampaignCommand implements Callable<Integer> {
     OutputFolder.requireUnusedOrCampaign(directory);
     RunReport.prepare(directory);
     String campaign = "u2sa " + ProgramVersion.text() + ": " + options.inWords();
+    SortedMap<String, String> inputs = options.inputs();
+    SortedMap<String, String> all = InputFiles.ofProgram(System.getProperty("java.class.path"));
+    all.putAll(inputs);
     List<Outcome> outcomes = new ArrayList<>();
     try (Interruption interruption = new Interruption();
         Journal journal =
             Journal.open(
-                directory.resolve(OutputFolder.JOURNAL), campaign, experiments, outcomes)) {
+                directory.resolve(OutputFolder.JOURNAL), campaign, all, experiments, outcomes)) {
       RunReport.deleteSummary(directory);
-      run(backend, experiments, outcomes, journal, interruption);
+      run(backend, experiments, inputs, outcomes, journal, interruption);
       if (outcomes.isEmpty()) {
         throw new RunFailedException("interrupted before the first run was complete");
       }
@@ -68,6 +72,7 @@ final class CampaignCommand implements Callable<Integer> {
   private void run(
       RunBackend backend,
       List<Experiment> experiments,
+      SortedMap<String, String> inputs,
       List<Outcome> outcomes,
       Journal journal,
       Interruption interruption)
@@ -92,10 +97,25 @@ final class CampaignCommand implements Callable<Integer> {
           if (outcome.exit() == ExitCode.BAD_INPUT) {
             throw new BadInputException(outcome.trouble());
           }
+          requireUnchanged(inputs);
           journal.add(outcome);
           outcomes.add(outcome);
           progress.done(outcome);
         });
+  }
+
+  /** Refuses a run whose files may have changed before it read them. */
+  private void requireUnchanged(SortedMap<String, String> inputs) {
+    SortedMap<String, String> now = options.inputs();
+    now.keySet().retainAll(inputs.keySet()); // a run may write a file that its configuration names
+    InputFiles.difference(inputs, now)
+        .ifPresent(
+            name -> {
+              throw new BadInputException(
+                  name
+                      + ": was changed while the campaign ran; expected the same content for all "
+                      + "runs: restore it and repeat the command, or use another --out");
+            });
   }
 
   private Integer report(String campaign, List<Outcome> outcomes, int runs, Path directory)

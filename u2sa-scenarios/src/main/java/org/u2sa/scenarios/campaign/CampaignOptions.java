@@ -2,11 +2,15 @@ package org.u2sa.scenarios.campaign;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalInt;
 import java.util.ServiceLoader;
+import java.util.Set;
+import java.util.SortedMap;
 import org.u2sa.cli.terminal.Terminal;
+import org.u2sa.scenarios.run.HomeFolder;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -168,6 +172,15 @@ final class CampaignOptions {
       words.append(", ").append(sweep.name()).append(" ").append(sweep.values());
     }
     return words.toString();
+  }
+
+  /** Digests of the files that the runs read, by name. */
+  SortedMap<String, String> inputs() {
+    Set<String> words = new LinkedHashSet<>(told);
+    for (Sweep sweep : sweeps) {
+      sweep.values().forEach(value -> words.addAll(sweep.arguments(value)));
+    }
+    return InputFiles.of(words, HomeFolder.path(), directory());
   }
 
   /** Backend that executes the runs. */

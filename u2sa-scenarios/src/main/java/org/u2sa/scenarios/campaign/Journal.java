@@ -13,6 +13,8 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.SortedMap;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.JsonText;
 import org.u2sa.interfaces.RunFailedException;
@@ -37,15 +39,20 @@ final class Journal implements AutoCloseable {
    * Opens the file for appending, creating it if absent.
    *
    * @param campaign textual description of the campaign
+   * @param inputs digests of the {@link InputFiles} and the program that its runs depend on
    * @param done receives the outcomes of earlier runs
    * @throws BadInputException if the file belongs to another campaign, or cannot be written
    */
   static Journal open(
-      Path file, String campaign, List<Experiment> experiments, List<Outcome> done) {
+      Path file,
+      String campaign,
+      SortedMap<String, String> inputs,
+      List<Experiment> experiments,
+      List<Outcome> done) {
     try {
       boolean isNew = !Files.exists(file) || Files.size(file) == 0;
       if (!isNew) {
-        read(file, campaign, experiments, done);
+        read(file, campaign, inputs, experiments, done);
       }
       Journal journal =
           new Journal(
@@ -56,7 +63,7 @@ final class Journal implements AutoCloseable {
                   StandardOpenOption.CREATE,
                   StandardOpenOption.APPEND));
       if (isNew) {
-        journal.line(new JsonText().put("campaign", campaign));
+        journal.line(new JsonText().put("campaign", campaign).put("inputs", text(inputs)));
       }
       return journal;
     } catch (IOException e) {
@@ -65,11 +72,16 @@ final class Journal implements AutoCloseable {
   }
 
   private static void read(
-      Path file, String campaign, List<Experiment> experiments, List<Outcome> done)
+      Path file,
+      String campaign,
+      SortedMap<String, String> inputs,
+      List<Experiment> experiments,
+      List<Outcome> done)
       throws IOException {
     List<String> lines = whole(file);
-    String said =
-        lines.isEmpty() ? "" : fields(lines.get(0), file + ", line 1").getOrDefault("campaign", "");
+    Map<String, String> first =
+        lines.isEmpty() ? Map.of() : fields(lines.get(0), file + ", line 1");
+    String said = first.getOrDefault("campaign", "");
     if (!said.equals(campaign)) {
       throw new BadInputException(
           file
@@ -78,6 +90,14 @@ final class Journal implements AutoCloseable {
               + "\", not \""
               + campaign
               + "\"; expected the same command, or another --out");
+    }
+    Optional<String> changed = InputFiles.difference(inputs(first), inputs);
+    if (changed.isPresent()) {
+      throw new BadInputException(
+          file
+              + ": was written with another content of "
+              + changed.get()
+              + "; expected the same files, or another --out");
     }
     for (int i = 1; i < lines.size(); i++) {
       String where = file + ", line " + (i + 1);
@@ -93,6 +113,22 @@ final class Journal implements AutoCloseable {
                 fields.getOrDefault("trouble", "")));
       }
     }
+  }
+
+  private static String text(SortedMap<String, String> inputs) {
+    StringBuilder lines = new StringBuilder();
+    inputs.forEach((name, digest) -> lines.append(digest).append(' ').append(name).append('\n'));
+    return lines.toString();
+  }
+
+  private static Map<String, String> inputs(Map<String, String> first) {
+    Map<String, String> inputs = new HashMap<>();
+    for (String line : first.getOrDefault("inputs", "").split("\n")) {
+      int space = line.indexOf(' ');
+      inputs.put(line.substring(space + 1), line.substring(0, Math.max(space, 0)));
+    }
+    inputs.remove("");
+    return inputs;
   }
 
   private static int number(

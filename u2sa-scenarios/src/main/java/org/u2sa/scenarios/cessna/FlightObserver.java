@@ -22,7 +22,7 @@ import org.u2sa.service.U2SAService;
 
 /**
  * Records the ground truth of a flight for scoring and display. In: truth, goals, goal-reports,
- * control-status. Out: nothing.
+ * mission, control-status. Out: nothing.
  */
 final class FlightObserver extends EventDrivenService implements RunObserver {
   /**
@@ -44,10 +44,11 @@ final class FlightObserver extends EventDrivenService implements RunObserver {
   /** See {@link RunObserver.Maker}. */
   FlightObserver(ServiceContext context, RunPlan plan, Consumer<TrackSample> screen) {
     super(context, ServiceRole.OBSERVER, "FlightObserver");
-    record = new RunRecord(plan, screen);
+    record = new RunRecord(plan, plan.home().orElseThrow().place(), screen);
     registerSubscriber(Simulator.TRUTH);
     registerSubscriber(Channels.GOALS);
     registerSubscriber(Channels.GOAL_REPORTS);
+    registerSubscriber(Channels.MISSION);
     registerSubscriber(ControlStatus.CHANNEL);
   }
 

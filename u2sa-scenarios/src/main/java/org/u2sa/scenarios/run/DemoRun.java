@@ -163,18 +163,22 @@ record DemoRun(
               wallS,
               OptionalInt.of(goals.size()),
               OptionalInt.of(completed)),
-          fenced(plan, running),
+          fenced(observer.record().plan(), running),
           observer.record().track(),
           outcome(observer));
     }
   }
 
-  /** The observer's outcome, plus the number of waypoints omitted in favour of others. */
+  /** The observer's outcome, plus the numbers of waypoints moved and omitted for others. */
   private RunOutcome outcome(RunObserver observer) {
     Set<String> leftOut = observer.record().leftOut();
     int waypoints =
         (int) plan.waypoints().stream().filter(at -> leftOut.contains(at.name())).count();
     RunOutcome outcome = observer.outcome();
+    int moved = observer.record().moved().size();
+    if (moved > 0) {
+      outcome = outcome.counting(RunOutcome.WAYPOINTS_MOVED, moved);
+    }
     return waypoints == 0 ? outcome : outcome.counting(RunOutcome.WAYPOINTS_LEFT_OUT, waypoints);
   }
 

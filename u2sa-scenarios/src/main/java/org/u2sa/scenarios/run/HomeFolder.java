@@ -17,6 +17,11 @@ public final class HomeFolder {
     return home == null ? List.of() : List.of("-D" + PROPERTY + "=" + home);
   }
 
+  /** Set by the launcher, or the current folder. */
+  public static Path path() {
+    return Path.of(System.getProperty(PROPERTY, ""));
+  }
+
   /**
    * The folder containing {@code config} and {@code missions}: set by the launcher, or the current
    * folder.
@@ -25,7 +30,7 @@ public final class HomeFolder {
    * @throws BadInputException if that is missing
    */
   public static Path holding(String folder) {
-    Path home = Path.of(System.getProperty(PROPERTY, ""));
+    Path home = path();
     if (!Files.isDirectory(home.resolve(folder))) {
       throw new BadInputException(
           "there is no "

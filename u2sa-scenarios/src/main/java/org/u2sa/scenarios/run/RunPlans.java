@@ -57,23 +57,32 @@ public final class RunPlans {
       Domain domain, Mission mission, RunPlan.Start home, LocalPlane local) {
     List<RunPlan.Waypoint> waypoints = new ArrayList<>();
     for (GoalInformation goal : mission.goals()) {
-      if (goal instanceof Waypoint waypoint
-          && waypoint.x().isPresent()
-          && waypoint.y().isPresent()) {
-        place(waypoint, local.origin())
-            .ifPresent(
-                place ->
-                    waypoints.add(
-                        new RunPlan.Waypoint(
-                            waypoint.uid(),
-                            place.x().orElseThrow(),
-                            place.y().orElseThrow(),
-                            waypoint.z().isPresent() ? place.z() : OptionalDouble.empty(),
-                            waypoint.horizontalThreshold(),
-                            waypoint.verticalThreshold())));
+      if (goal instanceof Waypoint waypoint) {
+        waypoint(waypoint, local.origin()).ifPresent(waypoints::add);
       }
     }
     return new RunPlan(domain, Optional.of(home), waypoints);
+  }
+
+  /**
+   * A goal as a waypoint of a plan; empty if it has no position on the earth or in a local frame.
+   *
+   * @param origin of the local frames
+   */
+  static Optional<RunPlan.Waypoint> waypoint(Waypoint goal, Geodetic origin) {
+    if (goal.x().isEmpty() || goal.y().isEmpty()) {
+      return Optional.empty();
+    }
+    return place(goal, origin)
+        .map(
+            place ->
+                new RunPlan.Waypoint(
+                    goal.uid(),
+                    place.x().orElseThrow(),
+                    place.y().orElseThrow(),
+                    goal.z().isPresent() ? place.z() : OptionalDouble.empty(),
+                    goal.horizontalThreshold(),
+                    goal.verticalThreshold()));
   }
 
   /**

@@ -6,11 +6,16 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.goal.Station;
+import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.mission.MissionAction;
+import org.u2sa.messages.mission.MissionOrder;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.report.score.RunPlan;
 import org.u2sa.report.score.Track;
@@ -24,7 +29,7 @@ public final class RunRecord {
   private static final long NOT_YET = -1;
 
   private final List<String> names;
-  private final RunPlan plan;
+  private final MovedPlan plan;
   private final Track track = new Track();
   private final Consumer<TrackSample> screen;
   private final Set<String> leftOut = new HashSet<>();
@@ -43,19 +48,30 @@ public final class RunRecord {
   private boolean seen = true; // whether there is a sample with the current target
   private long startMicros = NOT_YET;
   private volatile boolean missionOver;
+  private final Set<String> updated = new HashSet<>(); // goals that an operator's orders name
   private volatile long readings; // single writer
 
   /**
+   * @param origin of the local frames
    * @param screen receives every sample, on the observer's thread
    */
-  public RunRecord(RunPlan plan, Consumer<TrackSample> screen) {
+  public RunRecord(RunPlan plan, Geodetic origin, Consumer<TrackSample> screen) {
     this.screen = screen;
     names = plan.waypoints().stream().map(waypoint -> waypoint.name()).toList();
-    this.plan = plan;
+    this.plan = new MovedPlan(plan, origin);
   }
 
-  /** Processes goals and goal reports; false for other messages. */
+  /** Processes goals, goal reports and {@link Channels#MISSION}; false for other messages. */
   public boolean received(U2SAData data) {
+    if (data instanceof MissionOrder order) {
+      if (order.action() == MissionAction.UPDATE) {
+        names.stream().filter(order.goals().orElse("")::contains).forEach(updated::add);
+      }
+      return true;
+    }
+    if (Channels.MISSION.carries(data)) {
+      return true;
+    }
     if (data instanceof GoalList goals) {
       follow(goals);
     } else if (data instanceof GoalInformation report) {
@@ -100,6 +116,7 @@ public final class RunRecord {
     }
     missionOver = goals.goals().isEmpty();
     int next = goals.goals().isEmpty() ? names.size() : names.indexOf(goals.goals().get(0).uid());
+    goals.goals().forEach(this::followMoved);
     if (next != leg) {
       onLine = next == leg + 1 && (leg >= 0 || !begun);
     }
@@ -111,13 +128,34 @@ public final class RunRecord {
     isStation = goals.goals().stream().limit(1).anyMatch(Station.class::isInstance);
   }
 
+  private void followMoved(GoalInformation goal) {
+    int at = names.indexOf(goal.uid());
+    // without an order, a goal of this name elsewhere is a failsafe's
+    if (updated.contains(goal.uid())
+        && goal instanceof Waypoint waypoint
+        && plan.follow(waypoint, at)) {
+      track.abandoned(at);
+      onLine = false;
+    }
+  }
+
+  /** The plan, with waypoints where they were moved to; call like {@link #track}. */
+  RunPlan plan() {
+    return plan.plan();
+  }
+
+  /** Waypoints that were moved; call like {@link #track}. */
+  Set<String> moved() {
+    return plan.moved();
+  }
+
   /** Whether the vehicle is at its station or on the circle around it. */
   private boolean hasArrived(double longitudeDeg, double latitudeDeg) {
     return isStation
         && leg >= 0
         && leg < names.size()
-        && plan.distanceM(leg, longitudeDeg, latitudeDeg)
-            <= plan.waypoints().get(leg).captureRadiusM();
+        && plan().distanceM(leg, longitudeDeg, latitudeDeg)
+            <= plan().waypoints().get(leg).captureRadiusM();
   }
 
   /**
@@ -156,7 +194,7 @@ public final class RunRecord {
             altitudeM,
             headingRad,
             speedMps,
-            onLine ? plan.crossTrackM(leg, longitudeDeg, latitudeDeg) : 0.0,
+            onLine ? plan().crossTrackM(leg, longitudeDeg, latitudeDeg) : 0.0,
             leg,
             phase,
             flight);

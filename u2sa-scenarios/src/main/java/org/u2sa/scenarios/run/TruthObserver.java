@@ -27,7 +27,7 @@ import org.u2sa.sim.world.LocalPlane;
 
 /**
  * Records the ground truth of a simulated vehicle for scoring and display. In: goals, goal-reports,
- * arming-state. Out: nothing.
+ * mission, arming-state. Out: nothing.
  */
 public final class TruthObserver extends PeriodicService implements RunObserver {
   private static final double LOOKS_PER_S = 20.0;
@@ -61,6 +61,7 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
     this.scorer = scorer;
     registerSubscriber(Channels.GOALS);
     registerSubscriber(Channels.GOAL_REPORTS);
+    registerSubscriber(Channels.MISSION);
     registerSubscriber(Channels.ARMING_STATE);
     scorer.listensTo().forEach(this::registerSubscriber);
   }
@@ -74,7 +75,11 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
       RunningVehicle vehicle, LocalPlane plane, Function<Clock, Scorer> scorer) {
     return (ServiceContext context, RunPlan plan, Consumer<TrackSample> screen) ->
         new TruthObserver(
-            context, new RunRecord(plan, screen), vehicle, plane, scorer.apply(context.clock()));
+            context,
+            new RunRecord(plan, plane.origin(), screen),
+            vehicle,
+            plane,
+            scorer.apply(context.clock()));
   }
 
   /** Whether a vehicle is moving. */

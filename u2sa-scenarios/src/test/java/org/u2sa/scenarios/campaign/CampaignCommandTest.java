@@ -70,6 +70,11 @@ class CampaignCommandTest {
     assertThat(campaign("one", withJobs(1, runs))).as(err + "\n" + out).isEqualTo(ExitCode.DONE);
     assertThat(out.toString()).contains("1 of 4 runs were already complete");
     assertThat(summary("one").get("sha256")).isEqualTo(two.get("sha256"));
+
+    Path mission = OneWaypoint.in(directory);
+    Files.writeString(mission, Files.readString(mission) + "<!-- edited -->\n");
+    assertThat(campaign("one", withJobs(1, runs))).isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(err.toString()).contains(mission.toString(), "--out");
   }
 
   private static String[] withJobs(int jobs, String... rest) {

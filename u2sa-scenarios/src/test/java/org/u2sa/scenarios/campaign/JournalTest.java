@@ -8,6 +8,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -19,6 +22,9 @@ class JournalTest {
   private static final List<Experiment> RUNS =
       Experiment.all(List.of("demo", "ugv"), 1, 5, List.of());
 
+  private static final SortedMap<String, String> INPUTS =
+      new TreeMap<>(Map.of("my rover/vehicle.xml", "a1", "missions/m.xml", "b2"));
+
   @TempDir private Path directory;
   private Path file;
 
@@ -29,7 +35,7 @@ class JournalTest {
 
   private List<Outcome> write(Outcome... outcomes) {
     List<Outcome> before = new ArrayList<>();
-    try (Journal journal = Journal.open(file, "ugv", RUNS, before)) {
+    try (Journal journal = Journal.open(file, "ugv", INPUTS, RUNS, before)) {
       for (Outcome outcome : outcomes) {
         journal.add(outcome);
       }
@@ -67,10 +73,25 @@ class JournalTest {
     write(outcome(1, 0));
     String text = Files.readString(file);
 
-    assertThatThrownBy(() -> Journal.open(file, "cessna", RUNS, new ArrayList<>()))
+    assertThatThrownBy(() -> Journal.open(file, "cessna", INPUTS, RUNS, new ArrayList<>()))
         .isInstanceOf(BadInputException.class)
         .hasMessageContaining("runs.jsonl")
         .hasMessageContaining("\"ugv\"")
+        .hasMessageContaining("--out");
+    assertThat(file).hasContent(text);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"my rover/vehicle.xml", "new.xml"})
+  void open_inputsChanged_namesTheFileAndIsKept(String changed) throws IOException {
+    write(outcome(1, 0));
+    String text = Files.readString(file);
+    SortedMap<String, String> inputs = new TreeMap<>(INPUTS);
+    inputs.put(changed, "c3");
+
+    assertThatThrownBy(() -> Journal.open(file, "ugv", inputs, RUNS, new ArrayList<>()))
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContaining("another content of " + changed)
         .hasMessageContaining("--out");
     assertThat(file).hasContent(text);
   }

@@ -8,15 +8,22 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.goal.ObjectGoal;
 import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.mission.MissionAction;
+import org.u2sa.messages.mission.MissionOrder;
 import org.u2sa.report.score.Domain;
+import org.u2sa.report.score.RunOutcome;
 import org.u2sa.report.score.RunPlan;
+import org.u2sa.report.score.RunScorer;
 import org.u2sa.report.score.TrackSample;
+import org.u2sa.report.score.WaypointResult;
 
 /** Two waypoints, the second north of the first; the vehicle is about 10 m east of their line. */
 class RunRecordTest {
@@ -29,6 +36,7 @@ class RunRecordTest {
               Domain.GROUND,
               Optional.empty(),
               List.of(place("a", 0.0, 1.0), place("b", 0.01, 101.0))),
+          new Geodetic(0.0, 0.0, 0.0),
           samples::add);
 
   private static RunPlan.Waypoint place(String name, double latitudeDeg, double withinM) {
@@ -64,6 +72,61 @@ class RunRecordTest {
     assertThat(crossTrackM(0.0089)).isCloseTo(10.0, within(0.1));
     assertThat(crossTrackM(0.0092)).isZero();
     assertThat(crossTrackM(0.0120)).isZero();
+  }
+
+  private static Landing landing(double latitudeDeg) {
+    Landing landing = new Landing();
+    landing.uid("b").referenceFrame(ReferenceFrame.GLOBAL).x(0.0).y(latitudeDeg);
+    landing.horizontalThreshold(101.0);
+    return landing;
+  }
+
+  private void update(String goals) {
+    record.received(new MissionOrder().requestId("1").action(MissionAction.UPDATE).goals(goals));
+  }
+
+  private WaypointResult resultOfB() {
+    return RunScorer.score(
+            record.plan(), record.track().samples(), new RunOutcome(0, false, List.of()))
+        .waypoints()
+        .get(1);
+  }
+
+  @Test
+  void plan_currentLandingMovedByAnOrder_isJudgedThereAndFromThenOn() {
+    crossTrackM(landing(0.01));
+    crossTrackM(0.01);
+    assertThat(resultOfB().captured()).isTrue();
+    crossTrackM(0.03); // where it is to be moved
+    update("<mission><landing><name>b</name></landing></mission>");
+    crossTrackM(landing(0.03)); // on 0.005
+    crossTrackM(0.02);
+
+    assertThat(record.moved()).containsExactly("b");
+    assertThat(resultOfB().captured()).isFalse();
+    assertThat(resultOfB().missM().orElseThrow()).isCloseTo(1106.0, within(2.0));
+    assertThat(legs()).containsExactly(-1, -1, -1, 1, 1);
+
+    crossTrackM(0.0299);
+    assertThat(resultOfB().captured()).isTrue();
+  }
+
+  @Test
+  void plan_goalElsewhereWithoutAnOrderThatNamesIt_isThePlansForOthers() {
+    update("<mission><landing><name>a</name></landing></mission>");
+    crossTrackM(landing(0.03));
+
+    assertThat(record.moved()).isEmpty();
+    assertThat(record.plan().waypoints().get(1).latitudeDeg()).isEqualTo(0.01);
+  }
+
+  @Test
+  void plan_updateThatMovesNothing_isThePlan() {
+    update("<mission><landing><name>b</name></landing></mission>");
+    crossTrackM(landing(0.01));
+
+    assertThat(record.moved()).isEmpty();
+    assertThat(legs()).containsExactly(1);
   }
 
   private static Waypoint done(String uid) {

@@ -2,7 +2,6 @@ package org.u2sa.gcs.mavlink.telemetry;
 
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
@@ -55,7 +54,6 @@ public final class Telemetry {
     add(32, 4.0, motion::localPosition);
     add(33, 5.0, motion::globalPosition);
     add(62, 2.0, status::navigation);
-    add(74, 4.0, () -> motion.hud(OptionalDouble.empty()));
     add(147, 1.0, () -> BatteryMessages.status(vehicle.battery()));
     add(230, 1.0, motion::estimator);
     add(HOME_POSITION, 0.5, status::home);
@@ -64,10 +62,12 @@ public final class Telemetry {
     add(437, 0.3, status::modesMonitor);
   }
 
-  /** Adds the messages about the vehicle's surroundings. */
+  /** Adds the messages about the vehicle's surroundings and actuators. */
   public void add(VehicleSurroundings surroundings, Placement placement, Uptime uptime) {
     SurroundingsMessages seen = new SurroundingsMessages(surroundings, placement, uptime);
+    MotionMessages motion = new MotionMessages(placement, uptime);
     add(36, 2.0, seen::outputs);
+    add(74, 4.0, () -> motion.hud(surroundings.throttle()));
     add(231, 1.0, seen::wind);
     add(246, 5.0, seen::traffic);
     add(330, 4.0, seen::obstacles);

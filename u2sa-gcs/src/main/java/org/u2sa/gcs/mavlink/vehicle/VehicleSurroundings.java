@@ -3,6 +3,7 @@ package org.u2sa.gcs.mavlink.vehicle;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.function.LongSupplier;
 import java.util.stream.Collectors;
@@ -25,6 +26,7 @@ public final class VehicleSurroundings {
       List.of(Channels.SCANS, Channels.OBJECTS, Channels.ACTUATION);
 
   private static final String AIRCRAFT = "aircraft";
+  private static final String THROTTLE = "THROTTLE";
   private static final int MAX_OUTPUTS = 64;
   private static final long FRESH_MICROS = 2_000_000;
 
@@ -77,6 +79,13 @@ public final class VehicleSurroundings {
         .filter(this::isFresh)
         .map(Heard::message)
         .collect(Collectors.toList());
+  }
+
+  /** Command of the last 2 s to the actuator {@value #THROTTLE} [%], 0 to 100. */
+  public OptionalDouble throttle() {
+    return Optional.ofNullable(outputs.get(THROTTLE)).filter(this::isFresh).stream()
+        .mapToDouble(command -> Math.max(0.0, Math.min(100.0, command.message())))
+        .findFirst();
   }
 
   private boolean isFresh(Heard<?> heard) {
