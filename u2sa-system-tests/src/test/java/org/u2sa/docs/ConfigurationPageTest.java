@@ -93,7 +93,7 @@ class ConfigurationPageTest {
       - A variable that is left out has its default; one that no service declares is refused, with the nearest known name.
       - `./u2sa run FILE --set "PathPlanner:LOOK AHEAD=120.0"` sets one for a run, in the unit below, without writing the file. The
         service is named by its class.
-      - `./u2sa config set` changes them while the service runs and writes the file, `./u2sa config undo` takes that back
+      - `./u2sa config set` changes them while the service runs and writes the file, `./u2sa config undo` takes that back, to the value of `--set` if that was in force
         ([remote-configuration.md](remote-configuration.md)). What a service reads in its constructor only is taken over at its next start.
       """;
 
