@@ -17,7 +17,7 @@ final class StationHeading {
   private static final double THERE_SHARE = 0.5;
 
   /** Distance beyond which control faces a point that comes without a turn [m]. */
-  private static final double FACED_M = 2.0;
+  private static final double FACED_M = 1.2;
 
   /** Time without progress after which the vehicle is assumed to lack sideways thrust. */
   private static final long STALLED_MICROS = 8 * Clock.MICROS_PER_SECOND;
