@@ -121,8 +121,9 @@ final class MissionProgress {
     if (!pursued.finish(uid, result, report, reason, micros)) {
       return false;
     }
-    if (left == null && !uid.equals(commanded)) {
-      before = Optional.empty(); // the mission has passed the GOTO goal
+    boolean isDone = result == GoalResult.DONE || result == GoalResult.SKIPPED;
+    if (left == null && (!uid.equals(commanded) || isDone && isInterrupted(uid))) {
+      before = Optional.empty(); // the mission has passed the GOTO goal or the interrupted one
     }
     if (result == GoalResult.DONE) {
       completed.add(uid);
@@ -131,6 +132,11 @@ final class MissionProgress {
       abandoned.add(uid);
     }
     return true;
+  }
+
+  /** Whether a goal alone was current before a GOTO. */
+  private boolean isInterrupted(String uid) {
+    return before.filter(position -> position.current.equals(Set.of(uid))).isPresent();
   }
 
   /** Pauses the mission, or ends a pause. A failsafe's goals are not affected. */

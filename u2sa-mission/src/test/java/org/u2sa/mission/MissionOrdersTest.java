@@ -93,6 +93,16 @@ class MissionOrdersTest extends ThreeWaypoints {
   }
 
   @Test
+  void goTo_interruptedGoalItselfIsDone_resumeGoesBackToWhatCameAfterIt() {
+    kit.start(MissionManager::new);
+    accepted(order(MissionAction.GOTO).uid("1"), "pursuing goal \"1\"");
+    complete("1");
+    assertThat(report().resumable()).isEmpty();
+    accepted(order(MissionAction.GOTO).uid("3"), "pursuing goal \"3\"");
+    accepted(order(MissionAction.RESUME), "resumed at [2]");
+  }
+
+  @Test
   void goTo_missionHasGoneOnSince_thereIsNothingToResume() {
     kit.with("LOOP", true).start(MissionManager::new);
     accepted(order(MissionAction.GOTO).uid("2"), "pursuing goal \"2\"");

@@ -110,7 +110,11 @@ public class PathPlanner extends EventDrivenService {
             List.of(
                 new WaypointState(guidance, settings, avoidance, rightOfWay, seeing),
                 new ObjectGoalState(avoidance, seeing),
-                new StationState(guidance, settings(StationState.Variables.class), circle),
+                new StationState(
+                    guidance,
+                    settings(StationVariables.class),
+                    circle,
+                    () -> seeing.get().drifts()),
                 new SearchAreaState(
                     avoidance, guidance, survey, seeing, this::lines, new SurveyHeights(terrain)),
                 new TakeOffState(this::lines, flight),

@@ -4,9 +4,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
-import org.u2sa.interfaces.configuration.Description;
-import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
@@ -25,27 +24,6 @@ import org.u2sa.service.handover.HandOver;
  * the time has elapsed. The time restarts when the vehicle leaves a threshold or the heading.
  */
 final class StationState implements PlannerState {
-  /** Configuration variables of stations and berths. */
-  record Variables(
-      @Variable(unit = "m", min = 0, max = 1000, ifAbsent = 5)
-          @Description(
-              "Distance from a station at which the vehicle turns to its required heading.")
-          double stationTurnWithin,
-      @Variable(unit = "deg", min = 0.1, max = 180, ifAbsent = 5)
-          @Description(
-              "Heading error up to which a vehicle counts as being on a station's heading.")
-          double stationAngle,
-      @Variable(unit = "m", min = 0.01, max = 100, ifAbsent = 0.3)
-          @Description(
-              "Tolerance at the start of the straight way to a berth, and cross-track error at which the vehicle waits until it is back on the way's line.")
-          double berthAccuracy,
-      @Variable(unit = "m/s", min = 0.01, max = 10, ifAbsent = 0.3)
-          @Description("Speed on the straight way to a berth that does not specify one.")
-          double berthSpeed,
-      @Variable(unit = "m", min = 0.01, max = 100, ifAbsent = 1)
-          @Description("Look-ahead distance on the straight way to a berth.")
-          double berthLookAhead) {}
-
   private enum Phase {
     /** Moving to the station, or to the start of the straight way. */
     TRANSIT,
@@ -56,16 +34,30 @@ final class StationState implements PlannerState {
   }
 
   private final WaypointGuidance guidance;
-  private final Supplier<Variables> settings;
+  private final Supplier<StationVariables> settings;
   private final StationCircle circle;
   private Optional<Place> here = Optional.empty(); // start, for stations without position
   private Phase phase = Phase.TRANSIT;
   private long sinceMicros = Long.MIN_VALUE; // since when it is on station
+  private final StationHeading heading = new StationHeading();
+  private final BerthWay way = new BerthWay(heading);
+  private final BooleanSupplier lacksSway;
+  private final StationPatience patience = new StationPatience();
 
-  StationState(WaypointGuidance guidance, Supplier<Variables> settings, StationCircle circle) {
+  /**
+   * Creates the state.
+   *
+   * @param lacksSway whether the vehicle is known to have no sideways thrust
+   */
+  StationState(
+      WaypointGuidance guidance,
+      Supplier<StationVariables> settings,
+      StationCircle circle,
+      BooleanSupplier lacksSway) {
     this.guidance = guidance;
     this.settings = settings;
     this.circle = circle;
+    this.lacksSway = lacksSway;
   }
 
   @Override
@@ -88,6 +80,8 @@ final class StationState implements PlannerState {
     sinceMicros = Long.MIN_VALUE;
     here = Vehicle.of(pursuit.state()).map(Vehicle::place);
     circle.leave();
+    heading.begin(lacksSway.getAsBoolean());
+    patience.begin(0.0);
   }
 
   /** Position of a station, or the starting position if it has none. */
@@ -111,6 +105,8 @@ final class StationState implements PlannerState {
       state.number("STATION SINCE", Clock.seconds(sinceMicros));
     }
     guidance.handOver(state);
+    heading.handOver(state);
+    state.number("STATION NEAR", patience.nearS());
   }
 
   @Override
@@ -122,6 +118,9 @@ final class StationState implements PlannerState {
     guidance.takeOver(state);
     here = Place.takenOver(state, "STATION BEGAN");
     circle.takeOver(state);
+    heading.takeOver(state);
+    way.begin();
+    patience.begin(state.number("STATION NEAR").orElse(0.0));
     phase = Phase.valueOf(state.text("STATION PHASE").get());
     OptionalDouble since = state.number("STATION SINCE");
     sinceMicros = since.isPresent() ? Clock.micros(since.getAsDouble()) : Long.MIN_VALUE;
@@ -145,13 +144,19 @@ final class StationState implements PlannerState {
     Point start = isBerth ? to.plus(entrance(station)) : to;
     if (phase == Phase.TRANSIT && isAt(start, isBerth, station, vehicle)) {
       phase = isBerth ? Phase.BERTHING : Phase.THERE;
+      way.begin();
     }
+    Leg leg = new Leg(start.x(), start.y(), to.x(), to.y());
     if (phase == Phase.BERTHING && length(to) <= station.horizontalThreshold()) {
       phase = Phase.THERE;
+    } else if (phase == Phase.BERTHING && way.hasLeft(leg, settings.get())) {
+      phase = Phase.TRANSIT;
     }
+    boolean isNear = phase != Phase.TRANSIT || length(start) <= settings.get().stationTurnWithin();
+    patience.count(isNear, vehicle.timestampMicros());
     NavigationPoint point;
     if (phase == Phase.BERTHING) {
-      point = along(start, to, station, vehicle);
+      point = way.point(leg, to.z(), turn(station, vehicle), station, vehicle, settings.get());
     } else {
       Point target = phase == Phase.TRANSIT ? start : to;
       point = towards(target, isBerth ? Optional.empty() : Optional.of(place), station, vehicle);
@@ -168,8 +173,12 @@ final class StationState implements PlannerState {
   }
 
   private boolean isAt(Point start, boolean isBerth, Station station, Vehicle vehicle) {
-    double within = isBerth ? settings.get().berthAccuracy() : station.horizontalThreshold();
-    return length(start) <= within && (!isBerth || isOnHeading(station, vehicle));
+    return length(start) <= within(isBerth, station) && (!isBerth || isOnHeading(station, vehicle));
+  }
+
+  /** Tolerance at the station, or at the start of its straight way [m]. */
+  private double within(boolean isStart, Station station) {
+    return isStart ? settings.get().berthAccuracy() : station.horizontalThreshold();
   }
 
   private boolean isOnHeading(Station station, Vehicle vehicle) {
@@ -195,26 +204,11 @@ final class StationState implements PlannerState {
       station.speed().ifPresent(point::speed);
     }
     if (isNear && station.psi().isPresent()) {
-      point.turn(turn(station, vehicle));
+      boolean isStart = place.isEmpty() && phase == Phase.TRANSIT;
+      double within = within(isStart, station);
+      heading.turnRad(ned, turn(station, vehicle), within, vehicle).ifPresent(point::turn);
     }
     return point;
-  }
-
-  /**
-   * Target on the straight way: a point ahead on its line, or beside the vehicle while it is off
-   * the line.
-   */
-  private NavigationPoint along(Point start, Point to, Station station, Vehicle vehicle) {
-    Variables now = settings.get();
-    Leg leg = new Leg(start.x(), start.y(), to.x(), to.y());
-    boolean isOff = Math.abs(leg.acrossM(0.0, 0.0)) > now.berthAccuracy();
-    double ahead = leg.alongM(0.0, 0.0) + (isOff ? 0.0 : now.berthLookAhead());
-    double along = Math.min(leg.lengthM(), ahead);
-    Point ned = Point.of(leg.northAtM(along), leg.eastAtM(along), to.z());
-    return NavigationPoint.at(vehicle.body(ned))
-        .speed(station.speed().orElse(now.berthSpeed()))
-        .backwards(station.backwards())
-        .turn(turn(station, vehicle));
   }
 
   private Plan progress(Station station, Vehicle vehicle, Point to, List<NavigationPoint> points) {
@@ -226,7 +220,10 @@ final class StationState implements PlannerState {
             && isOnHeading(station, vehicle);
     if (!isThere) {
       sinceMicros = Long.MIN_VALUE;
-      return Plan.underWay(points);
+      Optional<String> reason = patience.end(station, settings.get());
+      return reason.isPresent()
+          ? new Plan(points, Plan.Progress.ABANDONED, reason.get() + off(station, vehicle, to))
+          : Plan.underWay(points);
     }
     if (sinceMicros == Long.MIN_VALUE) {
       sinceMicros = now;
@@ -237,6 +234,15 @@ final class StationState implements PlannerState {
     }
     String remark = String.format(Locale.ROOT, "kept for %.1f s", keptS);
     return new Plan(points, Plan.Progress.COMPLETED, remark);
+  }
+
+  private static String off(Station station, Vehicle vehicle, Point to) {
+    String where = String.format(Locale.ROOT, "; now %.1f m from it", length(to));
+    if (station.psi().isEmpty()) {
+      return where;
+    }
+    double offDeg = Math.toDegrees(Math.abs(turn(station, vehicle)));
+    return where + String.format(Locale.ROOT, " and %.0f deg off its heading", offDeg);
   }
 
   private static double length(Point ned) {

@@ -27,13 +27,20 @@ final class CostToGo {
   private double bucketM;
   private GridFrame frame;
 
-  /** Searches from a goal; if it lies outside the grid, from the whole edge. */
-  void search(CostGrid grid, double goalNorth, double goalEast) {
+  /**
+   * Searches from a goal; if it lies outside the grid, from the whole edge. If the goal is closed,
+   * the search also starts from the free cells within the tolerance, because it would not leave the
+   * obstacle.
+   */
+  void search(CostGrid grid, double goalNorth, double goalEast, double toleranceM) {
     prepare(grid);
     int goal = index(goalNorth, goalEast);
     Arrays.fill(filled, 0);
     waiting = 0;
     if (goal >= 0) {
+      if (cost[goal] == Float.POSITIVE_INFINITY) {
+        reachAround(goal, goalNorth, goalEast, toleranceM);
+      }
       cost[goal] = Math.min(cost[goal], MOST); // a goal near an obstacle is still a goal
       reach(goal, 0.0f);
     } else {
@@ -42,14 +49,34 @@ final class CostToGo {
         for (int column = 0; column < columns; column += edge ? 1 : Math.max(1, columns - 1)) {
           int i = row * columns + column;
           if (cost[i] < Float.POSITIVE_INFINITY) {
-            double north = frame.northM() + (row + 0.5) * 2.0 * frame.cellM();
-            double east = frame.eastM() + (column + 0.5) * 2.0 * frame.cellM();
-            reach(i, (float) Math.hypot(north - goalNorth, east - goalEast));
+            reach(i, distance(row, column, goalNorth, goalEast));
           }
         }
       }
     }
     spread();
+  }
+
+  private void reachAround(int goal, double goalNorth, double goalEast, double toleranceM) {
+    int most = (int) Math.ceil(toleranceM / (2.0 * frame.cellM()));
+    int goalRow = goal / columns;
+    int goalColumn = goal % columns;
+    int lastRow = Math.min(rows - 1, goalRow + most);
+    int lastColumn = Math.min(columns - 1, goalColumn + most);
+    for (int row = Math.max(0, goalRow - most); row <= lastRow; row++) {
+      for (int column = Math.max(0, goalColumn - most); column <= lastColumn; column++) {
+        float metres = distance(row, column, goalNorth, goalEast);
+        if (metres <= toleranceM && cost[row * columns + column] < Float.POSITIVE_INFINITY) {
+          reach(row * columns + column, metres);
+        }
+      }
+    }
+  }
+
+  private float distance(int row, int column, double goalNorth, double goalEast) {
+    double north = frame.northM() + (row + 0.5) * 2.0 * frame.cellM();
+    double east = frame.eastM() + (column + 0.5) * 2.0 * frame.cellM();
+    return (float) Math.hypot(north - goalNorth, east - goalEast);
   }
 
   private void prepare(CostGrid grid) {

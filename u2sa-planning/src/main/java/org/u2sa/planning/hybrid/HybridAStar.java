@@ -141,7 +141,7 @@ public final class HybridAStar {
     startClearanceM = body.clearanceM(grid, from.northM(), from.eastM(), from.headingRad());
     stepM = STEP_CELLS * grid.frame().cellM();
     goalOutside = !grid.frame().contains(to.northM(), to.eastM());
-    toGo.search(grid, to.northM(), to.eastM());
+    toGo.search(grid, to.northM(), to.eastM(), to.toleranceM());
     nodes.clear();
     open.clear();
     shots.clear();

@@ -31,6 +31,12 @@ final class HybridRoutes implements RoutePlanner {
    */
   private static final double GOAL_SHARE = 0.7;
 
+  /** The same if an obstacle occupies most of that, such as the object that is the goal. */
+  private static final double OCCUPIED_GOAL_SHARE = 0.95;
+
+  /** Free ring that the smaller fraction must leave around an obstacle [cells]. */
+  private static final double RING_CELLS = 2.0;
+
   private final HybridAStar search = new HybridAStar();
   private RouteRequest begun; // request of the search in progress; null if none
 
@@ -81,7 +87,21 @@ final class HybridRoutes implements RoutePlanner {
             request.goalNorthM(),
             request.goalEastM(),
             request.goalHeadingRad(),
-            GOAL_SHARE * request.toleranceM()));
+            goalShare(request) * request.toleranceM()));
+  }
+
+  private static double goalShare(RouteRequest request) {
+    CostGrid costs = request.costs();
+    double north = request.goalNorthM();
+    double east = request.goalEastM();
+    GridFrame frame = costs.frame();
+    if (!frame.contains(north, east) || costs.isFree(frame.indexAt(north, east))) {
+      return GOAL_SHARE;
+    }
+    double ring = RING_CELLS * frame.cellM();
+    boolean leavesRing =
+        costs.nearestFree(north, east, GOAL_SHARE * request.toleranceM() - ring) >= 0;
+    return leavesRing ? GOAL_SHARE : OCCUPIED_GOAL_SHARE;
   }
 
   private boolean goesOn(RouteRequest now) {

@@ -186,4 +186,48 @@ class HybridRoutesTest {
     Route route = askUntilAnswered(START);
     assertThat(route.exists()).isFalse();
   }
+
+  /** A barrel with a radius of 0.3 m, 5 m ahead of the truck, as goal. */
+  private Route toBarrel(double toleranceM) {
+    GridFrame frame = costs.frame();
+    costs.update(
+        i -> Math.hypot(frame.centreNorthM(i) - 7.0, frame.centreEastM(i) - 8.0) < 0.3, i -> false);
+    Route route = Route.sought();
+    for (int asked = 0; route.goesOn() && asked < 1000; asked++) {
+      route =
+          planner.plan(
+              new RouteRequest(
+                  new Pose(7.0, 3.0, Math.PI / 2.0),
+                  7.0,
+                  8.0,
+                  OptionalDouble.empty(),
+                  toleranceM,
+                  TRUCK,
+                  costs,
+                  List.of(),
+                  List.of(),
+                  PART));
+    }
+    return route;
+  }
+
+  private static double endM(Route route) {
+    Route.Point end = route.points().get(route.points().size() - 1);
+    return Math.hypot(end.northM() - 7.0, end.eastM() - 8.0);
+  }
+
+  @Test
+  void plan_goalIsAnObstacle_endsWithinTheTolerance() {
+    assertThat(endM(toBarrel(2.0))).isBetween(1.0, 1.4);
+  }
+
+  @Test
+  void plan_goalIsAnObstacleAndLittleToleranceIsLeft_usesAllOfIt() {
+    assertThat(endM(toBarrel(0.85))).isBetween(0.595, 0.82);
+  }
+
+  @Test
+  void plan_goalIsAnObstacleWiderThanTheTolerance_hasNoWay() {
+    assertThat(toBarrel(0.4).exists()).isFalse();
+  }
 }

@@ -1,0 +1,50 @@
+package org.u2sa.planning;
+
+import java.util.Locale;
+import java.util.Optional;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.goal.Station;
+
+/** Limits the time spent near a station that cannot be kept for its duration. */
+final class StationPatience {
+  private static final double LONGEST_STEP_S = 1.0; // counted between two states
+
+  private double nearS; // time since the vehicle first came near
+  private long beforeMicros = Long.MIN_VALUE; // of the previous state
+
+  /**
+   * Begins or continues a goal.
+   *
+   * @param soFarS time already spent near the station [s]
+   */
+  void begin(double soFarS) {
+    nearS = soFarS;
+    beforeMicros = Long.MIN_VALUE;
+  }
+
+  /** Time since the vehicle first came near [s]. */
+  double nearS() {
+    return nearS;
+  }
+
+  /** Counts the time since the previous state. */
+  void count(boolean isNear, long nowMicros) {
+    if ((isNear || nearS > 0.0) && beforeMicros != Long.MIN_VALUE) {
+      nearS += Math.min(LONGEST_STEP_S, Clock.seconds(nowMicros - beforeMicros));
+    }
+    beforeMicros = nowMicros;
+  }
+
+  /** Why the station is given up; empty if it is not. One without a duration never is. */
+  Optional<String> end(Station station, StationVariables settings) {
+    if (station.duration().isEmpty() || settings.stationGiveUpAfter() <= 0.0) {
+      return Optional.empty();
+    }
+    double wayS = station.approach().orElse(0.0) / station.speed().orElse(settings.berthSpeed());
+    double limitS = station.duration().getAsDouble() + wayS + settings.stationGiveUpAfter();
+    return nearS < limitS
+        ? Optional.empty()
+        : Optional.of(
+            String.format(Locale.ROOT, "given up: not kept for its duration within %.0f s", nearS));
+  }
+}
