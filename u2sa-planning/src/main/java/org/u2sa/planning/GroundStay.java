@@ -134,6 +134,8 @@ final class GroundStay {
    * Way straight up of a multirotor from the ground or a descent to it, relative to itself: there
    * it must not lean, as while its estimated position still moves. Empty for others, and once it
    * has risen.
+   *
+   * @throws IllegalArgumentException if the goal cannot be navigated to: it stays on the ground
    */
   Optional<NavigationPoint> rise(GoalInformation goal, Vehicle vehicle) {
     OptionalDouble upM = vehicle.place().upM();
@@ -142,6 +144,9 @@ final class GroundStay {
     }
     boolean isFirst = !left && firstLed == NEVER && goal instanceof TakeOff;
     if (landed || isFirst || descends) {
+      if (goal instanceof Waypoint place) {
+        vehicle.nedOf(Place.of(place));
+      }
       risesToM = OptionalDouble.of(upM.getAsDouble() + RISE_M);
     }
     if (risesToM.isPresent() && upM.getAsDouble() >= risesToM.getAsDouble()) {

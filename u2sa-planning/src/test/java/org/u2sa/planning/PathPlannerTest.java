@@ -15,6 +15,7 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.TakeOff;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.Schema;
@@ -170,6 +171,21 @@ class PathPlannerTest extends PlannedVehicle {
     assertThat(kit.<HealthReport>published(Channels.HEALTH))
         .extracting(report -> report.lastError().orElse(""))
         .anyMatch(error -> error.contains(words));
+  }
+
+  @Test
+  void takeOff_onALocalPlaneButStateOnEarth_doesNotLeaveTheGround() {
+    kit.start(PathPlanner::new);
+    TakeOff takeOff = new TakeOff();
+    takeOff.horizontalThreshold(2.0).uid("1").referenceFrame(ReferenceFrame.LOCAL_NED);
+    goals(takeOff.x(0.0).y(0.0).z(-30.0));
+    for (int i = 0; i < 5; i++) {
+      kit.publish(Channels.STATE, new StateInformation().x(8.0).y(50.0).z(100.0).psi(0.0));
+      kit.advance(0.1);
+    }
+
+    assertThat(kit.published(Channels.NAVIGATION)).isEmpty();
+    assertThat(logged("cannot be navigated to by a state on the earth")).isEqualTo(1);
   }
 
   @Test
