@@ -1,4 +1,5 @@
 """A service's answers, without a broker: what it sends is looked at."""
+import time
 import unittest
 
 from u2sa import EmergencyLatch, Message, Service, Variable, encode
@@ -131,6 +132,39 @@ class ContractTest(unittest.TestCase):
         undone = self.answer("configuration", Message("ConfigurationUndo", requestId="u", serviceName="Probe"))
         self.assertEqual(undone["assignments"][0]["value"], "0.5")
         self.assertEqual(self.probe.configuration["GAIN"], 0.5)
+
+    def test_orders_older_than_their_expiry_are_refused(self):
+        def ago(seconds):
+            return int((time.time() - seconds) * 1e6)
+
+        self.probe.hear("stop", Message("StopCommand", serviceName="Probe", timestamp=ago(20)))
+        self.assertFalse(self.probe._Service__stopping.is_set())
+        gain = [Message("ConfigurationAssignment", variableName="GAIN", value="0.9")]
+        for seconds, expected in ((20, False), (4, True)):
+            answer = self.answer("configuration", Message(
+                "ConfigurationTransaction", requestId=str(seconds), serviceName="Probe", author="me", assignments=gain,
+                timestamp=ago(seconds)))
+            self.assertEqual(answer["accepted"], expected)
+            self.assertEqual("after it was given" in answer.get("reason", ""), not expected)
+        undo = self.answer("configuration", Message(
+            "ConfigurationUndo", requestId="u", serviceName="Probe", author="me", timestamp=ago(20)))
+        self.assertFalse(undo["accepted"])
+        self.assertEqual(self.probe.configuration.number("GAIN"), 0.9)
+        self.probe.hear("stop", Message("StopCommand", serviceName="Probe", timestamp=ago(4)))
+        self.assertTrue(self.probe._Service__stopping.is_set())
+
+    def test_an_old_state_does_not_follow_a_new_one_and_a_stop_always_counts(self):
+        def arrives(channel, message, number):
+            self.probe._arrived("/".join(("u2sa", "cessna", channel, *message.chain)), encode(message, ("a", number)))
+            return self.probe._Service__inbox.depth()
+
+        self.probe.register_subscriber("failsafe", "FailsafeState")
+        self.probe.register_subscriber("emergency-stop", "EmergencyStop")
+        self.assertEqual(arrives("failsafe", Message("FailsafeState", action="HOLD"), 7), 1)
+        self.assertEqual(arrives("failsafe", Message("FailsafeState", action="CONTINUE"), 6), 1)
+        stop = Message("EmergencyStop", active=True, operator="me", reason="r", stopId="s")
+        self.assertEqual(arrives("emergency-stop", stop, 9), 2)
+        self.assertEqual(arrives("emergency-stop", stop, 3), 3)
 
     def test_a_stop_is_obeyed_where_it_arrives(self):
         self.probe.hear("stop", Message("StopCommand", serviceName="Other"))

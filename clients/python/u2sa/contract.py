@@ -84,6 +84,7 @@ class Contract:
         service, name = self._service, message["variableName"]
         result = Message("ConfigurationChangeResult", serviceName=service.name, variableName=name)
         try:
+            self._require_in_time(message)
             service.configuration.change({name: message["value"]}, "", veto=service.configuration_refusal)
             result["accepted"] = True
             result["value"] = service.configuration.text(name)
@@ -94,6 +95,11 @@ class Contract:
         if result.get("accepted"):
             service.configuration_changed([name])
 
+    def _require_in_time(self, order: Message) -> None:
+        late = self._service.lateness(order)
+        if late:
+            raise BadConfiguration(late)
+
     def _once(self, message: Message) -> None:
         request = message["requestId"]
         if request in self._answered:
@@ -103,6 +109,7 @@ class Contract:
                          author=message.get("author"))
         done: List[Assignment] = []
         try:
+            self._require_in_time(message)
             done = self._undo(message) if message.is_a("ConfigurationUndo") else self._transact(message)
             result["accepted"] = True
             result["assignments"] = [

@@ -30,6 +30,8 @@ COMMON_VARIABLES = (
              description="Messages that wait for the service before further ones are dropped and counted."),
     Variable("MAX ERRORS IN A ROW", 10, "", 1, 1_000_000,
              description="Exceptions one after the other at which the service ends itself."),
+    Variable("ORDER EXPIRY", 5.0, "s", 0.0, 86_400.0,
+             description="Age at which an order to stop or to change variables no longer counts; 0: never."),
 )
 _SILENT_INTERVALS = 3
 _SENDERS = 4096
@@ -291,8 +293,13 @@ class Service:
                 self.log.warning("a message on %.*r cannot be read (%d so far): %.*s", _LOGGED_CHARACTERS, topic, count,
                                  _LOGGED_CHARACTERS, e)
             return
-        self._count_missed(topic, message)
+        if self._is_repeated(topic, message) and self._is_state(where.channel):
+            return
         if where.channel == "stop" and self.__contract.is_order_to_stop(message):
+            late = self.lateness(message)
+            if late:
+                self.log.warning("not stopped, because %s", late)
+                return
             self.stop()
             self.__inbox.wake()
             return
@@ -302,10 +309,28 @@ class Service:
         if outcome:
             self.health.count(outcome)
 
-    def _count_missed(self, topic: str, message: Message) -> None:
-        """Numbers between a sender's last message on a topic and this one were lost on the way."""
+    def lateness(self, order: Message) -> str:
+        """Why not to obey an order: it is older than ORDER EXPIRY; empty if it is in time or carries no time.
+
+        A broker may have kept it while a link was down.
+        """
+        expiry = self.configuration.number("ORDER EXPIRY")
+        given = order.get("timestamp")
+        age = 0.0 if given is None else time.time() - given / 1e6
+        if expiry == 0.0 or age <= expiry:
+            return ""
+        return (f"the order arrived {age:.1f} s after it was given; expected at most ORDER EXPIRY, {expiry:g} s: "
+                "give it again (if it was given just now, the clocks differ)")
+
+    @staticmethod
+    def _is_state(channel: str) -> bool:
+        """Whether an old message must not follow a new one, as some brokers deliver them. A stop always counts."""
+        return channel in tables.CHANNELS and delivery(channel)[1] and channel != "emergency-stop"
+
+    def _is_repeated(self, topic: str, message: Message) -> bool:
+        """Whether a sender's number on a topic is not above its last one. Numbers left out were lost on the way."""
         if message.origin is None:
-            return
+            return False
         sender, number = message.origin
         last = self.__newest.get((sender, topic))
         if last is not None and number > last + 1:
@@ -314,6 +339,7 @@ class Service:
         self.__newest[(sender, topic)] = max(number, last or 0)
         while len(self.__newest) > _SENDERS:
             del self.__newest[next(iter(self.__newest))]
+        return last is not None and number <= last
 
     def _report(self) -> None:
         self.__reported = time.monotonic()
