@@ -72,12 +72,17 @@ final class ConfigurationResponder {
       change(change);
     } else if (request instanceof ConfigurationTransaction transaction) {
       once(
+          transaction,
           transaction.requestId(),
           transaction.author(),
           inTime(transaction, transaction(transaction)));
     } else if (request instanceof ConfigurationUndo undo) {
       ChangeOrigin by = by(undo.author());
-      once(undo.requestId(), undo.author(), inTime(undo, () -> configuration.writeUndo(by, check)));
+      once(
+          undo,
+          undo.requestId(),
+          undo.author(),
+          inTime(undo, () -> configuration.writeUndo(by, check)));
     } else {
       connection.publish(Channels.CONFIGURATION, configuration());
     }
@@ -134,8 +139,9 @@ final class ConfigurationResponder {
     return () -> configuration.write(wanted, transaction.revision(), by, check);
   }
 
-  private void once(String requestId, String author, Supplier<WrittenChange> write) {
-    Optional<ConfigurationTransactionResult> before = answered.to(requestId);
+  private void once(
+      U2SAData request, String requestId, String author, Supplier<WrittenChange> write) {
+    Optional<ConfigurationTransactionResult> before = answered.to(requestId, request);
     if (before.isPresent()) {
       connection.publish(Channels.CONFIGURATION, before.get());
     } else if (waiting.add(requestId)) {
@@ -144,12 +150,12 @@ final class ConfigurationResponder {
           write,
           written -> {
             waiting.remove(requestId);
-            answer(requestId, author, written);
+            answer(request, requestId, author, written);
           });
     }
   }
 
-  private void answer(String requestId, String author, WrittenChange written) {
+  private void answer(U2SAData request, String requestId, String author, WrittenChange written) {
     ConfigurationOutcome outcome = takeEffect(written, author);
     ConfigurationTransactionResult result =
         new ConfigurationTransactionResult()
@@ -160,7 +166,7 @@ final class ConfigurationResponder {
             .revision(outcome.revision())
             .author(author);
     outcome.refusal().ifPresent(result::reason);
-    answered.remember(requestId, result);
+    answered.remember(requestId, request, result);
     connection.publish(Channels.CONFIGURATION, result);
   }
 

@@ -81,6 +81,11 @@ final class ServiceConfiguration {
     return clock;
   }
 
+  /** Age at which orders no longer count [s]; 0: never. */
+  double orderExpiryS() {
+    return own.orderExpiry();
+  }
+
   /** Reason for not obeying an order; see {@link U2SAService#lateness}. */
   Optional<String> lateness(U2SAData order) {
     long now = clock.micros();

@@ -332,6 +332,11 @@ public abstract class U2SAService extends Thread
     return registerSubscriber(channel);
   }
 
+  /** Age at which orders no longer count, the variable ORDER EXPIRY [s]; 0: never. */
+  public final double orderExpiryS() {
+    return configuration.orderExpiryS();
+  }
+
   /**
    * Reason for not obeying an order: it is older than ORDER EXPIRY, so its sender has given it up.
    * A broker may have kept it while a link was down. Empty if the order is in time or has no

@@ -86,8 +86,8 @@ final class MissionOrders {
    * @param changed called if the order was executed
    */
   MissionOrderResult obey(MissionOrder order, String manager, Runnable changed) {
-    Optional<MissionOrderResult> before = answered.to(order.requestId());
-    if (before.isPresent()) {
+    Optional<MissionOrderResult> before = answered.to(order.requestId(), order);
+    if (before.isPresent() && order.action() != MissionAction.PAUSE) { // pausing again harms nobody
       return before.get();
     }
     MissionOrderResult result =
@@ -103,7 +103,7 @@ final class MissionOrders {
           order.action() + " by " + order.operator() + " refused: " + e.getMessage());
       result.accepted(false).outcome(e.getMessage());
     }
-    answered.remember(order.requestId(), result);
+    answered.remember(order.requestId(), order, result);
     return result;
   }
 

@@ -539,6 +539,21 @@ class MissionOrdersTest extends ThreeWaypoints {
     return message;
   }
 
+  /** As of a program that uses one ID for all. */
+  @Test
+  void order_idOfAnotherOrder_isExecuted() {
+    kit.start(MissionManager::new);
+    kit.publish(Channels.MISSION, order(MissionAction.GOTO).uid("3").requestId("x"));
+    assertThat(current()).containsExactly("3");
+    kit.publish(Channels.MISSION, order(MissionAction.PAUSE).requestId("x"));
+    MissionOrderResult paused = (MissionOrderResult) kit.latest(Channels.MISSION).orElseThrow();
+    assertThat(paused.outcome()).isEqualTo("paused at 3");
+    kit.publish(Channels.MISSION, order(MissionAction.RESUME).requestId("x"));
+    kit.publish(Channels.MISSION, order(MissionAction.PAUSE).requestId("x"));
+    MissionOrderResult again = (MissionOrderResult) kit.latest(Channels.MISSION).orElseThrow();
+    assertThat(again.outcome()).isEqualTo("paused at 3");
+  }
+
   /** A broker keeps orders while a link is down. */
   @Test
   void order_olderThanItsExpiry_isRefusedUnlessItPauses() {

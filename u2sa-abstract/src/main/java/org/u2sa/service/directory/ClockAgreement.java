@@ -8,11 +8,15 @@ import org.u2sa.messages.contract.DiscoveryResponse;
 /**
  * Measures the offset between this process's clock and that of the services already running, using
  * one request and the timestamps of its answers (as in NTP, RFC 5905, section 8): an answer was
- * stamped between the request and its own arrival. The fastest answer counts. Thread-safe.
+ * stamped between the request and its own arrival. Of answers that agree with each other the
+ * fastest counts; of others the one nearest to this process's clock, so that a liar among them can
+ * not set it. Thread-safe.
  */
 public final class ClockAgreement {
   /** Smaller offsets are not corrected [µs]. */
   private static final long TOLERATED_MICROS = 100_000;
+
+  private static final long SAME_MICROS = 100_000; // apart, of honest answers
 
   /** 2001-09-09 [µs]: an earlier time is simulated time, which a real clock cannot follow. */
   private static final long REAL_SINCE_MICROS = 1_000_000_000_000_000L;
@@ -20,7 +24,7 @@ public final class ClockAgreement {
   private long askedMicros;
   private String source = ""; // service with the fastest answer
   private long aheadMicros;
-  private long errorMicros = Clock.NEVER;
+  private long errorMicros;
 
   public ClockAgreement(long nowMicros) {
     askedMicros = nowMicros;
@@ -34,11 +38,24 @@ public final class ClockAgreement {
   public synchronized void hear(DiscoveryResponse answer, long nowMicros) {
     long saidMicros = answer.timestamp().orElse(0L);
     long error = (nowMicros - askedMicros) / 2;
-    if (saidMicros > REAL_SINCE_MICROS && error < errorMicros) {
+    long ahead = saidMicros - (askedMicros + error);
+    boolean isSame = Math.abs(ahead - aheadMicros) <= SAME_MICROS + error + errorMicros;
+    boolean isBetter = isSame ? error < errorMicros : Math.abs(ahead) < Math.abs(aheadMicros);
+    if (saidMicros > REAL_SINCE_MICROS && (source.isEmpty() || isBetter)) {
       source = answer.serviceName() + " on " + answer.host();
       errorMicros = error;
-      aheadMicros = saidMicros - (askedMicros + error);
+      aheadMicros = ahead;
     }
+  }
+
+  /** Whether an answer arrived. */
+  public synchronized boolean isHeard() {
+    return !source.isEmpty();
+  }
+
+  /** Whether an answer has agreed with this process's clock: no other one can be better. */
+  public synchronized boolean isReached() {
+    return !source.isEmpty() && Math.abs(aheadMicros) <= TOLERATED_MICROS + errorMicros;
   }
 
   /**

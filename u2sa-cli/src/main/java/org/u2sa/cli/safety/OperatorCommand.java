@@ -38,7 +38,7 @@ public final class OperatorCommand extends BaseCommand {
 
   @Override
   public Integer call() throws InterruptedException {
-    try (RemoteLink link = remote.connectForOrders();
+    try (RemoteLink link = remote.connect();
         Clock.Waiter waiter = link.clock().newWaiter("operator")) {
       link.listen(Channels.ARMING_STATE, this::show);
       link.listen(Channels.FAILSAFE, this::show);

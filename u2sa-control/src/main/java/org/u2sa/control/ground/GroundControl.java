@@ -15,7 +15,6 @@ import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.safety.ArmingState;
-import org.u2sa.messages.safety.ManualDrive;
 import org.u2sa.messages.safety.ManualOrder;
 import org.u2sa.messages.safety.ManualState;
 import org.u2sa.service.ServiceContext;
@@ -39,7 +38,7 @@ abstract class GroundControl extends ControlSystem {
     super(context, "Control");
     subscribe(Channels.ARMING_STATE, this::onArming);
     subscribe(Channels.FAILSAFE, failsafe -> hand.see(failsafe.action()).ifPresent(this::ended));
-    subscribe(Channels.MANUAL_DRIVE, this::onManualDrive);
+    subscribe(Channels.MANUAL_DRIVE, drive -> hand.see(drive, clock().micros(), orderExpiryS()));
     subscribe(Channels.ACTUATORS, announced -> roster.see(announced, clock().micros()));
   }
 
@@ -121,13 +120,6 @@ abstract class GroundControl extends ControlSystem {
             + "\": "
             + state.reason().orElse("takeovers: " + state.takeovers()));
     return state;
-  }
-
-  /** One that arrives late was meant for another situation. */
-  private void onManualDrive(ManualDrive drive) {
-    if (lateness(drive).isEmpty()) {
-      hand.see(drive, clock().micros());
-    }
   }
 
   private void onArming(ArmingState state) {

@@ -8,6 +8,7 @@ import org.u2sa.messages.safety.ManualDrive;
 import org.u2sa.messages.safety.ManualOrder;
 import org.u2sa.messages.safety.ManualState;
 import org.u2sa.service.handover.HandOver;
+import org.u2sa.service.inbox.StreamDelay;
 
 /**
  * Driving by hand: starts and ends by an operator's order, and also ends by a failsafe or when the
@@ -31,6 +32,7 @@ final class HandDriving {
   private long takeovers;
   private ManualDrive newest; // null: none since startup
   private long heardMicros;
+  private StreamDelay delay = new StreamDelay(); // of the operator's drives
   private boolean armed;
   private FailsafeAction failsafe = FailsafeAction.CONTINUE;
 
@@ -51,6 +53,7 @@ final class HandDriving {
       operator = order.operator();
       takeovers++;
       newest = null;
+      delay = new StreamDelay();
     } else if (!order.active()) {
       active = false;
     }
@@ -65,8 +68,11 @@ final class HandDriving {
     return active;
   }
 
-  void see(ManualDrive drive, long nowMicros) {
-    if (active && drive.operator().equals(operator)) {
+  /**
+   * @param expiryS delay above which one counts as meant for another situation [s]
+   */
+  void see(ManualDrive drive, long nowMicros, double expiryS) {
+    if (active && drive.operator().equals(operator) && !delay.isLate(drive, nowMicros, expiryS)) {
       newest = drive;
       heardMicros = nowMicros;
     }

@@ -8,6 +8,8 @@ import java.util.Map;
 import java.util.function.Function;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.control.ControlSystem;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
@@ -184,19 +186,27 @@ class HandDrivingTest {
     assertThat(drive.kit.latest(Channels.MANUAL_STATE).orElseThrow().active()).isFalse();
   }
 
-  @Test
-  void drive_olderThanOrderExpiry_movesNothing() {
+  @ParameterizedTest
+  @ValueSource(doubles = {0.0, -60.0, 60.0})
+  void drive_heldUpForLongerThanOrderExpiry_movesNothingWhateverTheOperatorsClock(double aheadS) {
     RoverDrive drive = differential();
     order(drive, true, "anna");
+    drive(drive, 0.0, aheadS, 0.5);
+    assertThat(drive.rover.speed).isGreaterThan(0.3);
+    drive.until(() -> false, 2.0);
+
+    drive(drive, 20.0, aheadS, 0.5);
+    assertThat(drive.rover.speed).isCloseTo(0.0, within(0.01));
+    drive(drive, 0.0, aheadS, 0.5);
+    assertThat(drive.rover.speed).isGreaterThan(0.3);
+  }
+
+  private static void drive(RoverDrive drive, double lateS, double aheadS, double mps) {
     for (int i = 0; i < 20; i++) {
-      ManualDrive late = by("anna").speed(0.5);
-      late.timestamp(drive.kit.clock().micros() - Clock.micros(20.0));
-      drive.kit.publish(Channels.MANUAL_DRIVE, late);
+      ManualDrive wanted = by("anna").speed(mps);
+      wanted.timestamp(drive.kit.clock().micros() + Clock.micros(aheadS - lateS));
+      drive.kit.publish(Channels.MANUAL_DRIVE, wanted);
       drive.until(() -> false, 0.1);
     }
-
-    assertThat(drive.rover.speed).isCloseTo(0.0, within(0.01));
-    hold(drive, by("anna").speed(0.5), 2.0);
-    assertThat(drive.rover.speed).isGreaterThan(0.3);
   }
 }

@@ -33,7 +33,7 @@ final class FenceOrders {
    * @param armed whether the vehicle is armed: it must then be well inside the new fence
    */
   FenceOrderResult obey(FenceOrder order, String manager, boolean armed, long nowMicros) {
-    Optional<FenceOrderResult> before = answered.to(order.requestId());
+    Optional<FenceOrderResult> before = answered.to(order.requestId(), order);
     if (before.isPresent()) {
       return before.get();
     }
@@ -50,7 +50,7 @@ final class FenceOrders {
     } catch (BadInputException e) {
       result.accepted(false).outcome(e.getMessage());
     }
-    answered.remember(order.requestId(), result);
+    answered.remember(order.requestId(), order, result);
     return result;
   }
 

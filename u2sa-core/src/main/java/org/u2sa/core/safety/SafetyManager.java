@@ -1,8 +1,10 @@
 package org.u2sa.core.safety;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -29,6 +31,7 @@ import org.u2sa.service.ServiceRole;
 import org.u2sa.service.actuator.EmergencyLatch;
 import org.u2sa.service.handover.HandOver;
 import org.u2sa.service.inbox.AnsweredOrders;
+import org.u2sa.service.inbox.StreamDelay;
 
 /**
  * Decides how the vehicle reacts to faults, by the failsafe matrix, and whether it may move at all
@@ -40,6 +43,7 @@ import org.u2sa.service.inbox.AnsweredOrders;
  */
 public final class SafetyManager extends PeriodicService {
   private static final String LAST_CLEAR = "LAST CLEAR"; // in the hand-over
+  private static final int MAX_OPERATORS = 16;
   private static final double CHECKS_PER_S = 10.0;
   private static final double SLOWEST_HZ = 1.0; // otherwise failsafes would come too late
   private static final double REPEAT_INTERVAL_S = 1.0; // interval for unchanged states
@@ -65,6 +69,7 @@ public final class SafetyManager extends PeriodicService {
   private FailsafeAction said = FailsafeAction.CONTINUE;
   private List<Hazard> saidHazards = List.of();
   private double repeatDueS;
+  private final Map<String, StreamDelay> heartbeats = new HashMap<>(); // by operator
   private long lateHeartbeats;
   private int saidFence; // fence version last published
 
@@ -213,7 +218,7 @@ public final class SafetyManager extends PeriodicService {
 
   private void see(Channel<?> channel, U2SAData message) {
     long now = clock().micros();
-    if (message instanceof OperatorHeartbeat && isLate(message)) {
+    if (message instanceof OperatorHeartbeat heartbeat && isLate(heartbeat, now)) {
       return;
     }
     predecessor.see(message, now);
@@ -226,15 +231,25 @@ public final class SafetyManager extends PeriodicService {
     }
   }
 
-  /** A late heartbeat tells of an operator who may have gone. */
-  private boolean isLate(U2SAData heartbeat) {
-    Optional<String> late = lateness(heartbeat);
-    if (late.isPresent() && Long.bitCount(++lateHeartbeats) == 1) { // 1, 2, 4, 8…
+  /** A late heartbeat tells of an operator who may have gone; the clocks of both may differ. */
+  private boolean isLate(OperatorHeartbeat heartbeat, long nowMicros) {
+    if (heartbeats.size() >= MAX_OPERATORS && !heartbeats.containsKey(heartbeat.operator())) {
+      heartbeats.clear(); // invented names
+    }
+    boolean isLate =
+        heartbeats
+            .computeIfAbsent(heartbeat.operator(), name -> new StreamDelay())
+            .isLate(heartbeat, nowMicros, orderExpiryS());
+    if (isLate && Long.bitCount(++lateHeartbeats) == 1) { // 1, 2, 4, 8…
       log(
           LogLevelEnum.WARN,
-          "ignored an operator's heartbeat (" + lateHeartbeats + " so far): " + late.get());
+          String.format(
+              Locale.ROOT,
+              "ignored a heartbeat of \"%s\" (%d so far): it was held up by more than ORDER EXPIRY",
+              heartbeat.operator(),
+              lateHeartbeats));
     }
-    return late.isPresent();
+    return isLate;
   }
 
   private void onCondition(ServiceCondition condition) {
@@ -244,7 +259,7 @@ public final class SafetyManager extends PeriodicService {
 
   private void obey(ArmCommand command) {
     long now = clock().micros();
-    if (answered.to(command.requestId()).isPresent()) {
+    if (command.arm() && answered.to(command.requestId(), command).isPresent()) {
       publish(arming.state(now).requestId(command.requestId())); // not the old one: others obey it
       return;
     }
@@ -265,7 +280,7 @@ public final class SafetyManager extends PeriodicService {
     }
     ArmingState state = arming.state(now).requestId(command.requestId());
     late.ifPresent(reason -> state.reasons(List.of(reason)));
-    answered.remember(command.requestId(), state);
+    answered.remember(command.requestId(), command, state);
     publish(state);
   }
 

@@ -59,6 +59,19 @@ class ClockAgreementTest {
   }
 
   @Test
+  void aheadMicros_liarAnswersFirst_theAnswerNearestToTheOwnClockCounts() {
+    ClockAgreement agreement = new ClockAgreement(NOW);
+    agreement.hear(answer(NOW - HOUR), NOW + 100);
+    assertThat(agreement.isReached()).isFalse();
+    agreement.hear(answer(NOW + 10_000), NOW + 20_000);
+    assertThat(agreement.isReached()).isTrue();
+    agreement.hear(answer(NOW - HOUR + 30_000), NOW + 30_000);
+
+    assertThat(agreement.aheadMicros(log::add)).isZero();
+    assertThat(log).isEmpty();
+  }
+
+  @Test
   void aheadMicros_withinToleranceOrError_isLeftAlone() {
     ClockAgreement near = new ClockAgreement(NOW);
     near.hear(answer(NOW + 90_000), NOW);

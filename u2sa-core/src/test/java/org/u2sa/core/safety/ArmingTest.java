@@ -226,6 +226,20 @@ class ArmingTest extends WatchedVehicle {
     assertThat(kit.published(Channels.ARMING_STATE)).noneMatch(ArmingState::armed);
   }
 
+  /** As of a program that uses one ID for all. */
+  @Test
+  void disarm_idOfAnEarlierOrder_isObeyed() {
+    start();
+    live(0.3);
+    ArmCommand armed = armCommand(true);
+    assertThat(arm(armed).armed()).isTrue();
+    ArmCommand disarm = armCommand(false).requestId(armed.requestId());
+    assertThat(arm(disarm).armed()).isFalse();
+    assertThat(arm(armCommand(true)).armed()).isTrue();
+
+    assertThat(arm((ArmCommand) disarm.copy()).armed()).isFalse();
+  }
+
   @Test
   void clear_olderThanItsExpiry_leavesTheStopInForceEverywhere() {
     startArmed();

@@ -4,7 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.Condition;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
@@ -217,6 +220,24 @@ class SafetyManagerTest extends WatchedVehicle {
 
     assertThat(failsafe().action()).isEqualTo(FailsafeAction.RETURN);
     assertThat(kit.log("SafetyManager"))
-        .anyMatch(line -> line.contains("ignored an operator's heartbeat (4 so far): the order"));
+        .anyMatch(line -> line.contains("ignored a heartbeat of \"Ann\" (4 so far)"));
+  }
+
+  /** As of a vehicle that has got the right time since, or of a laptop that was asleep. */
+  @ParameterizedTest
+  @ValueSource(doubles = {-3_600.0, 3_600.0})
+  void operator_wrongClock_isHeardAndMissed(double clockAheadS) {
+    startArmed();
+    for (int i = 0; i < 8; i++) {
+      OperatorHeartbeat heartbeat = new OperatorHeartbeat().operator("Ann");
+      heartbeat.timestamp(kit.clock().micros() + Clock.micros(clockAheadS));
+      kit.publish(Channels.OPERATOR, heartbeat);
+      live(1.0);
+    }
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.CONTINUE);
+
+    live(6.0);
+
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.RETURN);
   }
 }

@@ -6,7 +6,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
@@ -27,6 +26,7 @@ import org.u2sa.service.directory.ClockAgreement;
 public final class RemoteLink implements AutoCloseable {
   private static final long LOOK_MICROS = 20_000;
   private static final double TIME_WITHIN_S = 1.0;
+  private static final long TOLD_MICROS = Clock.MICROS_PER_SECOND / 2; // smaller changes are not
 
   private final String systemId;
   private final Clock clock;
@@ -73,28 +73,34 @@ public final class RemoteLink implements AutoCloseable {
 
   /**
    * Asks the system for its time, and from now on stamps messages with it: services judge orders by
-   * their age. Keeps this computer's time if nobody answers within a second, or if the system runs
-   * in simulated time.
+   * their age. Keeps this computer's time if an answer agrees with it, if nobody answers within a
+   * second, or if the system runs in simulated time. Call it again now and then on a link that
+   * lasts: clocks may be set.
    */
   public void adoptTime() throws InterruptedException {
     ClockAgreement agreement = new ClockAgreement(clock.micros());
-    AtomicBoolean answered = new AtomicBoolean();
     Consumer<U2SAData> listener =
         message -> {
           if (message instanceof DiscoveryResponse response) {
             agreement.hear(response, clock.micros());
-            answered.set(true);
           }
         };
     listen(Channels.DISCOVERY, listener);
     try {
       agreement.asked(clock.micros());
       publish(Channels.DISCOVERY, new DiscoveryRequest());
-      await(answered::get, TIME_WITHIN_S);
+      await(agreement::isReached, TIME_WITHIN_S);
     } finally {
       listenNoMore(Channels.DISCOVERY, listener);
     }
-    aheadMicros = agreement.aheadMicros(trouble);
+    if (agreement.isHeard()) {
+      List<String> said = new ArrayList<>();
+      long ahead = agreement.aheadMicros(said::add);
+      if (Math.abs(ahead - aheadMicros) > TOLD_MICROS) {
+        said.forEach(trouble);
+      }
+      aheadMicros = ahead;
+    }
   }
 
   /**
