@@ -194,6 +194,11 @@ final class GroundStay {
     return Optional.of(NavigationPoint.at(vehicle.body(ahead)));
   }
 
+  /** Whether it stands where a landing has ended. */
+  boolean hasLanded() {
+    return landed;
+  }
+
   /** Whether holding means staying on the ground. */
   boolean stays() {
     return landed || (!left && (isAeroplane.getAsBoolean() || takesOff));

@@ -344,7 +344,7 @@ public class PathPlanner extends EventDrivenService {
     if (!avoidance.world().age().isKnown()) {
       return List.of(); // the vehicle has not moved yet and must not take off
     }
-    if (ground.stays()) {
+    if (ground.hasLanded()) {
       return ground.points(Vehicle.of(state).orElseThrow());
     }
     return blind.brakes()
