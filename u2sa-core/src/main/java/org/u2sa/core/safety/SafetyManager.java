@@ -71,6 +71,7 @@ public final class SafetyManager extends PeriodicService {
   private double repeatDueS;
   private final Map<String, StreamDelay> heartbeats = new HashMap<>(); // by operator
   private long lateHeartbeats;
+  private long beganMicros; // after a predecessor
   private int saidFence; // fence version last published
 
   /**
@@ -97,6 +98,7 @@ public final class SafetyManager extends PeriodicService {
     isRestart = context.isRestart();
     predecessor = new Predecessor(clock().micros(), isRestart);
     isSwap = context.isSwap();
+    beganMicros = isRestart || isSwap ? clock().micros() : Long.MIN_VALUE;
     registerPublisher(Channels.FAILSAFE);
     registerPublisher(Channels.ARMING_STATE);
     registerPublisher(Channels.EMERGENCY_STOP);
@@ -199,6 +201,7 @@ public final class SafetyManager extends PeriodicService {
 
   private void beginAfterPredecessor() {
     begun = true;
+    beganMicros = isRestart || isSwap ? clock().micros() : Long.MIN_VALUE;
     boolean wasStopped = isRestart && !lastClear.equals(clearBefore);
     if (wasStopped) {
       log(LogLevelEnum.WARN, "disarmed: an emergency stop was cleared while no Safety Manager ran");
@@ -264,7 +267,8 @@ public final class SafetyManager extends PeriodicService {
       return;
     }
     String order = "\"" + command.operator() + "\" asks to " + (command.arm() ? "arm" : "disarm");
-    Optional<String> late = command.arm() ? lateness(command) : Optional.empty();
+    Optional<String> late =
+        command.arm() ? lateness(command).or(() -> earliness(command)) : Optional.empty();
     if (late.isPresent()) {
       log(LogLevelEnum.WARN, order + ": refused, because " + late.get());
     } else {
@@ -282,6 +286,13 @@ public final class SafetyManager extends PeriodicService {
     late.ifPresent(reason -> state.reasons(List.of(reason)));
     answered.remember(command.requestId(), command, state);
     publish(state);
+  }
+
+  /** The predecessor may have executed it, and the vehicle may have been disarmed since. */
+  private Optional<String> earliness(ArmCommand command) {
+    return command.timestamp().orElse(beganMicros) < beganMicros
+        ? Optional.of("the order was given before the Safety Manager was restarted: give it again")
+        : Optional.empty();
   }
 
   private void onFenceOrder(U2SAData message) {

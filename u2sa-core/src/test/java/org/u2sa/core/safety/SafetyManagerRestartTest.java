@@ -6,6 +6,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.safety.ArmCommand;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.EmergencyStop;
 import org.u2sa.messages.safety.FailsafeAction;
@@ -177,5 +178,21 @@ class SafetyManagerRestartTest extends WatchedVehicle {
     }
 
     assertThat(failsafe().action()).isEqualTo(FailsafeAction.RETURN);
+  }
+
+  @Test
+  void arm_orderOfBeforeTheRestartArrivesAgain_doesNotArm() {
+    SafetyManager manager = start();
+    live(0.3);
+    ArmCommand command = armCommand(true);
+    assertThat(arm(command).armed()).isTrue();
+    assertThat(arm(false).armed()).isFalse();
+    kit.restart(manager, SafetyManager::new);
+    live(1.0);
+
+    assertThat(arm(command).reasons())
+        .containsExactly(
+            "the order was given before the Safety Manager was restarted: give it again");
+    assertThat(arm(true).reasons()).noneMatch(reason -> reason.contains("was given"));
   }
 }

@@ -3,6 +3,7 @@ package org.u2sa.interfaces.mqtt;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.LongSupplier;
 import java.util.function.Predicate;
 import org.u2sa.messages.schema.Origin;
 
@@ -19,16 +20,57 @@ public final class Gaps {
 
   private record Stream(String sender, String topic) {}
 
-  private final Map<Stream, Long> last =
+  /**
+   * Repetitions after which, and time since the last new number after which they count as new [µs]:
+   * somebody else used the sender's name with a higher number.
+   */
+  private static final int REPETITIONS = 3;
+
+  private static final long REPEATED_FOR_MICROS = 5_000_000L;
+
+  private static final class Heard {
+    private long number;
+    private long micros;
+    private long repeated; // newest number that was not above it
+    private int repetitions; // of growing numbers
+
+    /** Whether a sequence of growing numbers below the last one has gone on for long. */
+    private boolean isOvertaken(long sequence, long nowMicros) {
+      repetitions = sequence > repeated ? repetitions + 1 : 1;
+      repeated = sequence;
+      return repetitions >= REPETITIONS && nowMicros - micros >= REPEATED_FOR_MICROS;
+    }
+
+    private void take(long sequence, long nowMicros) {
+      number = sequence;
+      micros = nowMicros;
+      repetitions = 0;
+      repeated = 0;
+    }
+  }
+
+  private final LongSupplier micros;
+  private final Map<Stream, Heard> last =
       new LinkedHashMap<>(64, 0.75f, true) {
         private static final long serialVersionUID = 1L;
 
         @Override
-        protected boolean removeEldestEntry(Map.Entry<Stream, Long> eldest) {
+        protected boolean removeEldestEntry(Map.Entry<Stream, Heard> eldest) {
           return size() > REMEMBERED;
         }
       };
   private long missed;
+
+  public Gaps() {
+    this(() -> System.nanoTime() / 1_000L);
+  }
+
+  /**
+   * @param micros monotonic time [µs]
+   */
+  Gaps(LongSupplier micros) {
+    this.micros = micros;
+  }
 
   /**
    * Returns the number of messages missing immediately before this one; 0 without an origin, {@link
@@ -40,12 +82,14 @@ public final class Gaps {
     }
     Stream stream = new Stream(origin.get().sender(), topic);
     long sequence = origin.get().sequence();
-    Long before = last.get(stream);
-    if (before != null && sequence <= before) {
+    long now = micros.getAsLong();
+    Heard heard = last.get(stream);
+    if (heard != null && sequence <= heard.number && !heard.isOvertaken(sequence, now)) {
       return REPEATED; // or retained by the broker
     }
-    last.put(stream, sequence);
-    long gap = before == null ? 0 : sequence - before - 1;
+    boolean isNext = heard != null && sequence > heard.number;
+    long gap = isNext ? sequence - heard.number - 1 : 0;
+    last.computeIfAbsent(stream, any -> new Heard()).take(sequence, now);
     missed = gap > Long.MAX_VALUE - missed ? Long.MAX_VALUE : missed + gap; // senders choose it
     return gap;
   }

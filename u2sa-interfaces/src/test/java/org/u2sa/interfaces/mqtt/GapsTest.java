@@ -9,7 +9,8 @@ import org.u2sa.messages.schema.Origin;
 class GapsTest {
   private static final String TOPIC = "u2sa/cessna/state/StateInformation";
 
-  private final Gaps gaps = new Gaps();
+  private long micros;
+  private final Gaps gaps = new Gaps(() -> micros);
 
   @Test
   void arrived_numbersLeftOut_areMissed() {
@@ -29,6 +30,32 @@ class GapsTest {
     assertThat(arrived("a", 3)).isZero();
 
     assertThat(gaps.missed()).isZero();
+  }
+
+  /** Whoever may write on a topic can use another's name there. */
+  @Test
+  void arrived_afterAForgedNumber_theTrueOnesCountAgainSoon() {
+    arrived("a", 1);
+    arrived("a", 1L << 62);
+    int ignored = 0;
+    for (long number = 2; arrived("a", number) == Gaps.REPEATED; number++) {
+      ignored++;
+      micros += 1_000_000L;
+    }
+
+    assertThat(ignored).isEqualTo(5);
+    assertThat(arrived("a", 8)).isZero();
+  }
+
+  @Test
+  void arrived_oldOnesForLongBesideNewOnes_stayRepetitions() {
+    for (long number = 10; number < 40; number++) {
+      assertThat(arrived("a", number)).isZero();
+      for (long old = 1; old < 6; old++) {
+        micros += 200_000L;
+        assertThat(arrived("a", old)).isEqualTo(Gaps.REPEATED);
+      }
+    }
   }
 
   @Test

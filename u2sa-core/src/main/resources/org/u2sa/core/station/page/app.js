@@ -199,7 +199,7 @@ setInterval(() => { // on its own: what cannot be shown must not silence the ope
   if (vehicle && link.isUp && !vehicle.playback && performance.now() - (vehicle.askedAt || 0) > REPORT_EVERY_MS) askMission(vehicle);
   if (vehicle && link.isUp && !vehicle.playback && byId('supervise').checked && performance.now() - (vehicle.beatAt || -Infinity) >= 1000) {
     vehicle.beatAt = performance.now();
-    link.publish(vehicle.id, 'operator', 'OperatorHeartbeat', {operator: orders.operator, interval: 1.0}).catch(() => undefined);
+    link.publish(vehicle.id, 'operator', 'OperatorHeartbeat', {timestamp: vehicle.now(), operator: orders.operator, interval: 1.0}).catch(() => undefined);
   }
 }, PANEL_EVERY_MS);
 

@@ -63,7 +63,7 @@ export class Orders {
 
   /** Ends a service; resolves when it reports so. */
   async stopService(vehicle, serviceName) {
-    await this.link.publish(vehicle.id, 'stop', 'StopCommand', {serviceName, stopAll: false});
+    await this.link.publish(vehicle.id, 'stop', 'StopCommand', {timestamp: vehicle.now(), serviceName, stopAll: false});
     await this.until(() => ['STOPPED', 'FAILED'].includes((vehicle.services.get(serviceName) || {report: {}}).report.status));
     return texts.stopped(serviceName);
   }
