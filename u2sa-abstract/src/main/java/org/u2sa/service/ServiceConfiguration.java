@@ -21,6 +21,8 @@ import org.u2sa.messages.schema.U2SAData;
 
 /** A service's name, variables, clock and log file (thesis 3.2.1.1, 3.2.1.5). */
 final class ServiceConfiguration {
+  private static final double MIN_EXPIRY_S = 1.0; // less would refuse every order, also to raise it
+
   /** Validates service names, which are also names of log files and MQTT clients. */
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9_][A-Za-z0-9 _.-]{0,63}");
 
@@ -83,21 +85,21 @@ final class ServiceConfiguration {
 
   /** Age at which orders no longer count [s]; 0: never. */
   double orderExpiryS() {
-    return own.orderExpiry();
+    return own.orderExpiry() == 0.0 ? 0.0 : Math.max(MIN_EXPIRY_S, own.orderExpiry());
   }
 
   /** Reason for not obeying an order; see {@link U2SAService#lateness}. */
   Optional<String> lateness(U2SAData order) {
     long now = clock.micros();
     double ageS = Clock.seconds(now - order.timestamp().orElse(now));
-    return own.orderExpiry() == 0.0 || ageS <= own.orderExpiry()
+    return orderExpiryS() == 0.0 || ageS <= orderExpiryS()
         ? Optional.empty()
         : Optional.of(
             String.format(
                 Locale.ROOT,
                 "the order arrived %.1f s after it was given; expected at most ORDER EXPIRY, %s s: give it again (if it was given just now, the clocks differ)",
                 ageS,
-                NumberText.of(own.orderExpiry())));
+                NumberText.of(orderExpiryS())));
   }
 
   /** Hook of a recorder or replay. */
@@ -154,6 +156,6 @@ final class ServiceConfiguration {
           double spin,
       @Variable(unit = "s", min = 0, max = 86_400, ifAbsent = 5)
           @Description(
-              "Age at which an order (to arm, clear a stop, change mission, fence or variables, drive by hand) no longer counts: brokers keep orders while a link is down. Raise it for slow links; 0: orders count whenever they arrive. Needs a restart.")
+              "Age at which an order (to arm, clear a stop, change mission, fence or variables, drive by hand) no longer counts: brokers keep orders while a link is down. Raise it for slow links; less than 1 s counts as 1 s; 0: orders count whenever they arrive. Needs a restart.")
           double orderExpiry) {}
 }

@@ -1,5 +1,6 @@
 package org.u2sa.mission;
 
+import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -136,7 +137,9 @@ final class MissionProgress {
 
   /** Whether a goal alone was current before a GOTO. */
   private boolean isInterrupted(String uid) {
-    return before.filter(position -> position.current.equals(Set.of(uid))).isPresent();
+    return before
+        .filter(position -> position.current.equals(Collections.singleton(uid)))
+        .isPresent();
   }
 
   /** Pauses the mission, or ends a pause. A failsafe's goals are not affected. */

@@ -32,6 +32,7 @@ import org.u2sa.planning.guidance.WaypointGuidance;
 import org.u2sa.planning.payload.PayloadReleases;
 import org.u2sa.planning.rightofway.RightOfWayVariables;
 import org.u2sa.planning.rightofway.RightOfWayWatch;
+import org.u2sa.planning.station.StationVariables;
 import org.u2sa.planning.survey.SurveyHeights;
 import org.u2sa.planning.survey.SurveyVariables;
 import org.u2sa.service.EventDrivenService;

@@ -16,6 +16,10 @@ import org.u2sa.planning.guidance.Leg;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.guidance.WaypointGuidance;
+import org.u2sa.planning.station.BerthWay;
+import org.u2sa.planning.station.StationHeading;
+import org.u2sa.planning.station.StationPatience;
+import org.u2sa.planning.station.StationVariables;
 import org.u2sa.service.handover.HandOver;
 
 /**

@@ -74,8 +74,8 @@ public final class RemoteLink implements AutoCloseable {
   /**
    * Asks the system for its time, and from now on stamps messages with it: services judge orders by
    * their age. Keeps this computer's time if an answer agrees with it, if nobody answers within a
-   * second, or if the system runs in simulated time. Call it again now and then on a link that
-   * lasts: clocks may be set.
+   * second and half the timeout, or if the system runs in simulated time. Call it again now and
+   * then on a link that lasts: clocks may be set.
    */
   public void adoptTime() throws InterruptedException {
     ClockAgreement agreement = new ClockAgreement(clock.micros());
@@ -89,7 +89,7 @@ public final class RemoteLink implements AutoCloseable {
     try {
       agreement.asked(clock.micros());
       publish(Channels.DISCOVERY, new DiscoveryRequest());
-      await(agreement::isReached, TIME_WITHIN_S);
+      await(agreement::isReached, Math.max(TIME_WITHIN_S, timeoutS / 2.0)); // a slow link
     } finally {
       listenNoMore(Channels.DISCOVERY, listener);
     }

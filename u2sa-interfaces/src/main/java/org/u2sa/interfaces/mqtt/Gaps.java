@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.LongSupplier;
 import java.util.function.Predicate;
+import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.schema.Origin;
 
 /**
@@ -62,7 +63,7 @@ public final class Gaps {
   private long missed;
 
   public Gaps() {
-    this(() -> System.nanoTime() / 1_000L);
+    this(new SystemClock()::micros);
   }
 
   /**

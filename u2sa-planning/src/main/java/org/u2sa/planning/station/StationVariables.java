@@ -1,10 +1,10 @@
-package org.u2sa.planning;
+package org.u2sa.planning.station;
 
 import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 
 /** Configuration variables of stations and berths. */
-record StationVariables(
+public record StationVariables(
     @Variable(unit = "m", min = 0, max = 1000, ifAbsent = 5)
         @Description("Distance from a station at which the vehicle turns to its required heading.")
         double stationTurnWithin,

@@ -1,4 +1,4 @@
-package org.u2sa.planning;
+package org.u2sa.planning.station;
 
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.frame.Point;
@@ -7,19 +7,19 @@ import org.u2sa.planning.guidance.Leg;
 import org.u2sa.planning.guidance.Vehicle;
 
 /** Target on the straight way to a berth, from its start to the berth. */
-final class BerthWay {
+public final class BerthWay {
   /** Fraction of BERTH ACCURACY within which a vehicle that backed out is on the line again. */
   private static final double BACK_SHARE = 0.5;
 
   private final StationHeading heading;
   private boolean backsOut; // without sideways thrust, to get back on the line
 
-  BerthWay(StationHeading heading) {
+  public BerthWay(StationHeading heading) {
     this.heading = heading;
   }
 
   /** Starts at the beginning of the way. */
-  void begin() {
+  public void begin() {
     backsOut = false;
   }
 
@@ -29,7 +29,7 @@ final class BerthWay {
    *
    * @param turnRad turn to the heading of the berth [rad], positive to the right
    */
-  NavigationPoint point(
+  public NavigationPoint point(
       Leg leg,
       double downM,
       double turnRad,
@@ -60,7 +60,7 @@ final class BerthWay {
   }
 
   /** Whether the vehicle backed out beyond the start of the way without getting on its line. */
-  boolean hasLeft(Leg leg, StationVariables settings) {
+  public boolean hasLeft(Leg leg, StationVariables settings) {
     return backsOut
         && leg.alongM(0.0, 0.0) < 0.0
         && Math.abs(leg.acrossM(0.0, 0.0)) > settings.berthAccuracy();

@@ -1,4 +1,4 @@
-package org.u2sa.planning;
+package org.u2sa.planning.station;
 
 import java.util.Locale;
 import java.util.Optional;
@@ -6,7 +6,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.goal.Station;
 
 /** Limits the time spent near a station that cannot be kept for its duration. */
-final class StationPatience {
+public final class StationPatience {
   private static final double LONGEST_STEP_S = 1.0; // counted between two states
 
   private double nearS; // time since the vehicle first came near
@@ -17,18 +17,18 @@ final class StationPatience {
    *
    * @param soFarS time already spent near the station [s]
    */
-  void begin(double soFarS) {
+  public void begin(double soFarS) {
     nearS = soFarS;
     beforeMicros = Long.MIN_VALUE;
   }
 
   /** Time since the vehicle first came near [s]. */
-  double nearS() {
+  public double nearS() {
     return nearS;
   }
 
   /** Counts the time since the previous state. */
-  void count(boolean isNear, long nowMicros) {
+  public void count(boolean isNear, long nowMicros) {
     if ((isNear || nearS > 0.0) && beforeMicros != Long.MIN_VALUE) {
       nearS += Math.min(LONGEST_STEP_S, Clock.seconds(nowMicros - beforeMicros));
     }
@@ -36,7 +36,7 @@ final class StationPatience {
   }
 
   /** Why the station is given up; empty if it is not. One without a duration never is. */
-  Optional<String> end(Station station, StationVariables settings) {
+  public Optional<String> end(Station station, StationVariables settings) {
     if (station.duration().isEmpty() || settings.stationGiveUpAfter() <= 0.0) {
       return Optional.empty();
     }

@@ -1,4 +1,4 @@
-package org.u2sa.planning;
+package org.u2sa.planning.station;
 
 import java.util.OptionalDouble;
 import org.u2sa.interfaces.time.Clock;
@@ -12,7 +12,7 @@ import org.u2sa.service.handover.HandOver;
  * with sideways thrust turns on its way there. One without comes no nearer with the place abeam: it
  * faces the place until it is there, then turns, and faces it again when it has been carried away.
  */
-final class StationHeading {
+public final class StationHeading {
   /** Fraction of the tolerance within which the vehicle turns away from the place it faced. */
   private static final double THERE_SHARE = 0.5;
 
@@ -41,14 +41,14 @@ final class StationHeading {
    *
    * @param lacksSway whether the vehicle is known to have no sideways thrust
    */
-  void begin(boolean lacksSway) {
+  public void begin(boolean lacksSway) {
     facesTheWay = lacksSway;
     isThere = false;
     stalledSinceMicros = NOT_YET;
   }
 
   /** Whether the vehicle must face a place to get there. */
-  boolean facesTheWay() {
+  public boolean facesTheWay() {
     return facesTheWay;
   }
 
@@ -60,7 +60,7 @@ final class StationHeading {
    * @param turnRad turn to the heading required at the place
    * @param toleranceM distance within which the vehicle counts as being at the place
    */
-  OptionalDouble turnRad(Point ned, double turnRad, double toleranceM, Vehicle vehicle) {
+  public OptionalDouble turnRad(Point ned, double turnRad, double toleranceM, Vehicle vehicle) {
     double distanceM = Math.hypot(ned.x(), ned.y());
     watch(distanceM, turnRad, toleranceM, vehicle.timestampMicros());
     isThere = distanceM <= (isThere ? toleranceM : THERE_SHARE * toleranceM);
@@ -73,12 +73,12 @@ final class StationHeading {
   }
 
   /** Turn to a place [rad], positive to the right. */
-  static double towardsRad(Point ned, Vehicle vehicle) {
+  public static double towardsRad(Point ned, Vehicle vehicle) {
     return Leg.wrapped(Math.atan2(ned.y(), ned.x()) - vehicle.headingRad());
   }
 
   /** Detects that the vehicle comes no nearer while it keeps, or turns to, the required heading. */
-  void watch(double distanceM, double turnRad, double toleranceM, long nowMicros) {
+  public void watch(double distanceM, double turnRad, double toleranceM, long nowMicros) {
     if (distanceM <= toleranceM) {
       stalledSinceMicros = NOT_YET;
       return;
@@ -95,12 +95,12 @@ final class StationHeading {
     facesTheWay |= nowMicros - stalledSinceMicros >= STALLED_MICROS;
   }
 
-  void handOver(HandOver state) {
+  public void handOver(HandOver state) {
     state.number("STATION FACES THE WAY", facesTheWay ? 1.0 : 0.0);
     state.number("STATION TURNED THERE", isThere ? 1.0 : 0.0);
   }
 
-  void takeOver(HandOver state) {
+  public void takeOver(HandOver state) {
     begin(isSet(state.number("STATION FACES THE WAY")));
     isThere = isSet(state.number("STATION TURNED THERE"));
   }
