@@ -32,6 +32,7 @@ final class Fuser {
   private final SpeedDoubt doubts;
   private final RefusedScatter scatter;
   private final InertialContradiction contradiction;
+  private final DepthPriority depths;
   private final SlopeSlip slopes;
   private final QuantityStart starts;
   private final PersistentErrors persistent;
@@ -52,6 +53,7 @@ final class Fuser {
     doubts = new SpeedDoubt(trust);
     scatter = new RefusedScatter(tuning);
     contradiction = new InertialContradiction(tuning, trust);
+    depths = new DepthPriority(trust);
     slopes = new SlopeSlip(tuning);
     starts = new QuantityStart(tuning);
     persistent = new PersistentErrors(tuning);
@@ -155,6 +157,11 @@ final class Fuser {
     if (quantity.isPlace()) {
       searchHeading(s, source);
     }
+    boolean isGauge =
+        tuning.domain() == MotionDomain.UNDERWATER && isOnlyAltimeter(s, m, source, quantity);
+    if (isGauge) {
+      depths.wander(s, source);
+    }
     PersistentErrors.look(s, m, quantity, linear, slot);
     DelayErrors.look(s, m, quantity, linear, delay);
     double factor = SourceTrust.factor(s, at);
@@ -170,6 +177,10 @@ final class Fuser {
     }
     trust.learn(s, at, linear, update.expected);
     SourceTrust.notedNis(s, at, nis);
+    double runs = runs(s, source, quantity, isGauge);
+    if (runs > 1.0) {
+      nis = update.weigh(linear, factor * runs);
+    }
     if (SpeedDoubt.isOfSpeed(quantity) && doubts.holds(s, linear, source, at)) {
       return;
     }
@@ -179,6 +190,9 @@ final class Fuser {
       if (InertialContradiction.isOfMotion(quantity) && contradiction.isShown(s)) {
         contradiction.reopen(s);
         contradiction.admit(s);
+        return;
+      }
+      if (isGauge && depths.isGiven(s, linear, source, at)) {
         return;
       }
       boolean isAlone = !judge.isCorroborated(s, source, quantity);
@@ -212,7 +226,7 @@ final class Fuser {
         count(s, at, SourceTrust.USED);
         used(s, m, quantity);
       } else {
-        correct(s, m, source, quantity, at, slot);
+        correct(s, m, source, quantity, at, slot, runs);
       }
     }
   }
@@ -264,8 +278,22 @@ final class Fuser {
             > READABLE_SIGMAS * m.sigma(SensedQuantity.FLUID_VELOCITY, 0);
   }
 
+  /** Factor on the variance of a log or depth gauge under water that repeats its values. */
+  private double runs(FilterState s, int source, SensedQuantity quantity, boolean isGauge) {
+    boolean isLog =
+        quantity == SensedQuantity.BODY_VELOCITY || quantity == SensedQuantity.FLUID_VELOCITY;
+    boolean isUnderWater = tuning.domain() == MotionDomain.UNDERWATER;
+    return isUnderWater && (isLog || isGauge) ? depths.repeats(s, source, isGauge) : 1.0;
+  }
+
   private void correct(
-      FilterState s, Measurement m, int source, SensedQuantity quantity, int at, int slot) {
+      FilterState s,
+      Measurement m,
+      int source,
+      SensedQuantity quantity,
+      int at,
+      int slot,
+      double runs) {
     boolean persists =
         quantity == SensedQuantity.PLACE && slot == PersistentErrors.NONE
             || quantity == SensedQuantity.ALTITUDE
@@ -273,7 +301,7 @@ final class Fuser {
     if (persists && tuning.positionCorrelationS() > 0.0) {
       double interval = s.trust[trust.of(s, source) + SourceTrust.INTERVAL];
       double repeats = repeats(correlationS(s, m, source, quantity), interval);
-      update.weigh(linear, SourceTrust.factor(s, at) * repeats);
+      update.weigh(linear, SourceTrust.factor(s, at) * runs * repeats);
     }
     if (quantity == SensedQuantity.LANDMARK) {
       update.weigh(linear, SourceTrust.factor(s, at) * PersistentErrors.repeatsOfSighting(s, m));
@@ -297,14 +325,17 @@ final class Fuser {
    * seconds.
    */
   private double correlationS(FilterState s, Measurement m, int source, SensedQuantity quantity) {
-    boolean isOnlyAltimeter =
-        quantity == SensedQuantity.ALTITUDE
-            && (tuning.domain() == MotionDomain.AIR || tuning.domain() == MotionDomain.UNDERWATER)
-            && !m.has(SensedQuantity.PLACE)
-            && !judge.isCorroborated(s, source, quantity);
-    return isOnlyAltimeter
+    return isOnlyAltimeter(s, m, source, quantity)
         ? Math.min(ONLY_ALTIMETER_S, tuning.positionCorrelationS())
         : tuning.positionCorrelationS();
+  }
+
+  private boolean isOnlyAltimeter(
+      FilterState s, Measurement m, int source, SensedQuantity quantity) {
+    return quantity == SensedQuantity.ALTITUDE
+        && (tuning.domain() == MotionDomain.AIR || tuning.domain() == MotionDomain.UNDERWATER)
+        && !m.has(SensedQuantity.PLACE)
+        && !judge.isCorroborated(s, source, quantity);
   }
 
   private static void used(FilterState s, Measurement m, SensedQuantity quantity) {
