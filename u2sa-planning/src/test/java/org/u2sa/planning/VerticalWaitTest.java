@@ -109,4 +109,21 @@ class VerticalWaitTest extends VerticalFlight {
     assertThat(nearestM).isGreaterThan(4.0);
     assertThat(kit.latest(Channels.GOAL_REPORTS).orElseThrow().abandoned()).isTrue();
   }
+
+  /** It passes above the place every 35 s; each time the vehicle climbs away and begins again. */
+  @Test
+  void landing_trafficPassesAgainAndAgain_isGivenUpAfterItsPatience() {
+    start(25.0);
+    begin(landing());
+    while (kit.nowS() < 420.0 && kit.latest(Channels.GOAL_REPORTS).isEmpty()) {
+      double share = kit.nowS() / 35.0 % 2.0;
+      double mps = share < 1.0 ? 8.0 : -8.0;
+      Sphere other = standing(140.0 * (share < 1.0 ? 2.0 * share - 1.0 : 3.0 - 2.0 * share), 10.0);
+      other.motion().velocity(Point.of(mps, 0.0, 0.0));
+      step(0.0, other);
+    }
+    GoalInformation report = kit.latest(Channels.GOAL_REPORTS).orElseThrow();
+    assertThat(report.reason().orElseThrow()).endsWith("traffic is in the way of the descent");
+    assertThat(kit.nowS()).isBetween(300.0, 400.0);
+  }
 }

@@ -178,7 +178,10 @@ public record AvoidanceVariables(
         OCCUPIED_ABOVE,
         corridorType,
         types(),
-        verticalClearance);
+        verticalClearance,
+        stops() && verticalClearance > 0.0
+            ? body(onTheSpot).circleM() + touchM(cellM) + cellM
+            : 0.0);
   }
 
   /** Whether some passages are wide enough to pass but not to turn in; used as a last resort. */

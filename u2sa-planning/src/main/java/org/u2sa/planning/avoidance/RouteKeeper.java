@@ -21,6 +21,9 @@ final class RouteKeeper {
 
   private static final double TURN_MARGIN = 1.05; // routes turn wider than the vehicle can
 
+  /** Distance within which a route must have left closed cells [radii with clearance]. */
+  private static final double LEAVES_RADII = 2.0;
+
   private static final int MAX_DOUBLINGS = 4; // doublings of the wait after failed searches
 
   private final SeenWorld world;
@@ -190,12 +193,26 @@ final class RouteKeeper {
       double cost = costs.straightCost(north, east, route.northM(i), route.eastM(i));
       boolean besideStart = i == route.next() && cost == Double.POSITIVE_INFINITY;
       if (besideStart && costs.cost(north, east) == Double.POSITIVE_INFINITY) {
-        cost = Math.hypot(route.northM(i) - north, route.eastM(i) - east); // leaving point i
+        cost = leavingM(north, east, route.northM(i), route.eastM(i));
       }
       sum += cost;
       north = route.northM(i);
       east = route.eastM(i);
     }
     return sum;
+  }
+
+  /** Cost of a straight way out of closed cells, which must be free after a short distance [m]. */
+  private double leavingM(double north, double east, double toNorth, double toEast) {
+    CostGrid costs = world.costs();
+    double length = Math.hypot(toNorth - north, toEast - east);
+    double out = Math.max(LEAVES_RADII * costs.inflation().radiusM(), costs.frame().cellM());
+    if (length <= out) {
+      return length;
+    }
+    double share = out / length;
+    return out
+        + costs.straightCost(
+            north + share * (toNorth - north), east + share * (toEast - east), toNorth, toEast);
   }
 }

@@ -26,6 +26,8 @@ final class VerticalGuard {
   private static final double STANDS_MPS = 0.5;
   private static final double NOWHERE = Double.POSITIVE_INFINITY;
   private static final long PATIENCE_MICROS = 300 * Clock.MICROS_PER_SECOND; // with traffic
+  private static final long FREE_MICROS = 60 * Clock.MICROS_PER_SECOND; // longer: traffic has gone
+  private static final double PROGRESS_M = 1.0;
 
   private final SeenWorld world;
   private final BiConsumer<String, Boolean> say;
@@ -33,6 +35,10 @@ final class VerticalGuard {
   private String said = "";
   private boolean isHeldUp;
   private long freeMicros; // when it was last not held up
+  private long heldMicros; // when it was last held up
+  private long progressMicros; // when it was last free for a while, or got farther than before
+  private double lowestM; // altitude reached in descents to the goal
+  private double highestM; // likewise in climbs
 
   VerticalGuard(SeenWorld world, BiConsumer<String, Boolean> say) {
     this.world = world;
@@ -146,8 +152,12 @@ final class VerticalGuard {
       goal = pursued;
       said = "";
       freeMicros = micros;
+      heldMicros = micros;
+      lowestM = Double.POSITIVE_INFINITY;
+      highestM = Double.NEGATIVE_INFINITY;
     }
-    if (!held || vehicle.speedMps() > STANDS_MPS) {
+    boolean isHopeless = evadesForLong(vehicle, way, held) && !byObstacle;
+    if (!isHopeless && (!held || vehicle.speedMps() > STANDS_MPS)) {
       freeMicros = micros;
       return Optional.empty();
     }
@@ -160,6 +170,25 @@ final class VerticalGuard {
       said = what;
     }
     long patienceMicros = byObstacle ? now.giveUpMicros() : PATIENCE_MICROS;
-    return micros - freeMicros > patienceMicros ? Optional.of(what) : Optional.empty();
+    return isHopeless || micros - freeMicros > patienceMicros
+        ? Optional.of(what)
+        : Optional.empty();
+  }
+
+  /** Whether evasions and new attempts have alternated for too long without progress. */
+  private boolean evadesForLong(Vehicle vehicle, Point way, boolean held) {
+    long micros = vehicle.timestampMicros();
+    double upM = vehicle.place().upM().orElse(0.0);
+    boolean isLower = way.z() > 0.0 && upM < lowestM - PROGRESS_M;
+    boolean isHigher = way.z() < 0.0 && upM > highestM + PROGRESS_M;
+    lowestM = isLower ? upM : lowestM;
+    highestM = isHigher ? upM : highestM;
+    if (isLower || isHigher || micros - heldMicros > FREE_MICROS) {
+      progressMicros = micros;
+    }
+    if (held) {
+      heldMicros = micros;
+    }
+    return held && micros - progressMicros > PATIENCE_MICROS;
   }
 }

@@ -1,6 +1,7 @@
 package org.u2sa.planning.seen;
 
 import java.util.Arrays;
+import java.util.Optional;
 
 /**
  * Static obstacle on the planning plane: everything within a radius of points, of a chain of lines,
@@ -147,6 +148,17 @@ public final class PlanarShape {
       least = Math.min(least, away);
     }
     return Math.max(0.0, least - radiusM);
+  }
+
+  /** Part of a shape of one point that is at least this far from a position [m]; empty if none. */
+  Optional<PlanarShape> apartFrom(double north, double east, double awayM) {
+    double mostM = Math.hypot(north - norths[0], east - easts[0]) - awayM;
+    if (mostM >= radiusM) {
+      return Optional.of(this);
+    }
+    return mostM <= 0.0
+        ? Optional.empty()
+        : Optional.of(new PlanarShape(name, kind, norths, easts, mostM, topDownM, bottomDownM));
   }
 
   /** Whether a point is inside the ring (even-odd rule). */

@@ -11,6 +11,7 @@ import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.shape.MovingSphere;
 import org.u2sa.planning.search.CostGrid;
 import org.u2sa.planning.search.GridFrame;
 import org.u2sa.planning.search.Inflation;
@@ -40,6 +41,8 @@ public final class SeenWorld {
    * @param ignoredTypes objects of these types are not obstacles
    * @param heightMarginM objects this far above or below may be passed over or under [m]; 0:
    *     heights do not matter
+   * @param leaveM a vehicle inside the separation of traffic that stands may leave it: the traffic
+   *     is then drawn only up to this distance from the vehicle [m]; 0: in full
    */
   public record Reading(
       double cellM,
@@ -48,7 +51,8 @@ public final class SeenWorld {
       double occupiedAbove,
       String corridorType,
       List<String> ignoredTypes,
-      double heightMarginM) {}
+      double heightMarginM,
+      double leaveM) {}
 
   private final Supplier<Reading> reading;
   private final TrafficMemory memory = new TrafficMemory();
@@ -57,6 +61,7 @@ public final class SeenWorld {
   private ObjectList objects;
   private OccupancyGrid seenGrid;
   private List<PlanarShape> shapes = List.of();
+  private List<PlanarShape> drawn = List.of(); // likewise, without separations the vehicle is in
   private List<PlanarShape> corridors = List.of();
   private List<Mover> movers = List.of();
   private List<PlanarShape> otherShapes = List.of(); // shapes at other heights
@@ -268,7 +273,7 @@ public final class SeenWorld {
     }
     lowDownM = Math.max(downM, goalDownM);
     highDownM = Math.min(downM, goalDownM);
-    readObjects(state, now);
+    readObjects(state, now, northM, eastM);
     if (moved) {
       double half = 0.5 * now.spanM();
       double north = now.cellM() * Math.rint((northM - half) / now.cellM());
@@ -291,12 +296,12 @@ public final class SeenWorld {
       layer = GridLayer.of(grid, plane, costs.frame(), now.occupiedAbove(), layer);
     }
     List<PlanarShape> closed = overlooks ? List.of() : guessed;
-    if (grid != null && shapes.isEmpty() && closed.isEmpty() && corridors.isEmpty()) {
+    if (grid != null && drawn.isEmpty() && closed.isEmpty() && corridors.isEmpty()) {
       return layer.states();
     }
     GridRaster raster =
         grid == null ? new GridRaster(costs.frame()) : new GridRaster(costs.frame(), layer);
-    shapes.forEach(raster::draw);
+    drawn.forEach(raster::draw);
     closed.forEach(raster::draw);
     if (!corridors.isEmpty()) {
       outside = CorridorLayer.of(corridors, costs.frame(), outside);
@@ -334,8 +339,9 @@ public final class SeenWorld {
     return List.of(mover);
   }
 
-  private void readObjects(StateInformation state, Reading now) {
+  private void readObjects(StateInformation state, Reading now, double northM, double eastM) {
     List<PlanarShape> standing = new ArrayList<>();
+    List<PlanarShape> standingApart = new ArrayList<>();
     List<PlanarShape> stayInside = new ArrayList<>();
     List<Mover> moving = new ArrayList<>();
     List<PlanarShape> standingElsewhere = new ArrayList<>();
@@ -369,9 +375,13 @@ public final class SeenWorld {
       moving.addAll(motions);
       if (motions.isEmpty()) {
         standing.add(shape);
+        boolean isSeparation = object instanceof MovingSphere && now.leaveM() > 0.0;
+        (isSeparation ? shape.apartFrom(northM, eastM, now.leaveM()) : Optional.of(shape))
+            .ifPresent(standingApart::add);
       }
     }
     shapes = List.copyOf(standing);
+    drawn = List.copyOf(standingApart);
     corridors = List.copyOf(stayInside);
     movers = List.copyOf(moving);
     otherShapes = List.copyOf(standingElsewhere);

@@ -41,6 +41,7 @@ final class AvoidanceBench {
                   0.65,
                   "corridor",
                   List.of(),
+                  0.0,
                   0.0));
   final Passages passages = new Passages(this::settings, () -> this.turnsOnTheSpot);
   final RouteKeeper routes =
@@ -89,6 +90,10 @@ final class AvoidanceBench {
         .x(northM)
         .y(eastM)
         .radius(0.1);
+  }
+
+  static ObjectDescription ball(double northM, double radiusM) {
+    return ((Sphere) post(northM, 0.0)).radius(radiusM);
   }
 
   static Route northward(double metres, double cost) {

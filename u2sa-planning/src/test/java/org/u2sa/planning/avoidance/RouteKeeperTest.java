@@ -34,6 +34,23 @@ class RouteKeeperTest {
     assertThat(bench.requests).hasSize(2);
   }
 
+  /** From the edge of what has just stopped, a straight route would lead through its middle. */
+  @Test
+  void update_obstacleFromTheVehicleOnward_plansAtOnce() {
+    bench.see(AvoidanceBench.ball(3.4, 3.0));
+    routes.update(bench.at(0.1));
+
+    assertThat(bench.requests).hasSize(2);
+  }
+
+  @Test
+  void update_obstacleThatTheRouteLeaves_routeIsKept() {
+    bench.see(AvoidanceBench.ball(-3.4, 3.0));
+    routes.update(bench.at(0.1));
+
+    assertThat(bench.requests).hasSize(1);
+  }
+
   @Test
   void update_obstacleBesideTheRoute_plansWhenDueAndKeepsTheRouteUnlessClearlyWorse() {
     var before = routes.track();
