@@ -1,5 +1,7 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.rotation.Quaternions;
+
 /**
  * Initialises or resets parts of the state that were unknown or proved wrong, with their
  * uncertainty.

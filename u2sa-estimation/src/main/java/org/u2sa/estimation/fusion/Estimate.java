@@ -1,5 +1,7 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.rotation.Quaternions;
+
 /**
  * The filter's estimate at one time: a view that is valid until the next query. The has… methods
  * show which quantities are known.

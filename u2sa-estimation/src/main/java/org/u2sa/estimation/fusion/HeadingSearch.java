@@ -3,6 +3,7 @@ package org.u2sa.estimation.fusion;
 import java.util.Arrays;
 import org.u2sa.estimation.measurement.Measurement;
 import org.u2sa.estimation.measurement.SensedQuantity;
+import org.u2sa.estimation.rotation.Quaternions;
 
 /**
  * Estimates the heading if no source measures it. Speed and turn rate of the wheels give the

@@ -3,6 +3,7 @@ package org.u2sa.estimation.fusion;
 import java.util.Arrays;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
+import org.u2sa.estimation.rotation.Quaternions;
 
 /**
  * Updates state and covariance with one measurement vector. The covariance update is in Joseph

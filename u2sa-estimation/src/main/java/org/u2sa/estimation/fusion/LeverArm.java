@@ -1,6 +1,7 @@
 package org.u2sa.estimation.fusion;
 
 import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.rotation.Quaternions;
 
 /**
  * Lever-arm corrections for a sensor that is not at the vehicle's reference point. With its offset

@@ -2,6 +2,7 @@ package org.u2sa.estimation.fusion;
 
 import org.u2sa.estimation.measurement.Measurement;
 import org.u2sa.estimation.measurement.SensedQuantity;
+import org.u2sa.estimation.rotation.Quaternions;
 
 /**
  * Measurement model of each quantity: innovation, Jacobian with respect to the error state, and

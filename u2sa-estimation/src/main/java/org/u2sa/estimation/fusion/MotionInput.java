@@ -2,6 +2,7 @@ package org.u2sa.estimation.fusion;
 
 import org.u2sa.estimation.measurement.Measurement;
 import org.u2sa.estimation.measurement.SensedQuantity;
+import org.u2sa.estimation.rotation.Quaternions;
 
 /**
  * Uses measured forward speed and turn rate as inputs of the prediction if no inertial sensor

@@ -1,5 +1,7 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.rotation.Quaternions;
+
 /**
  * Predicts state and covariance (Solà 2017, section 7.2). With inertial input this is a strapdown
  * integration; without, the vehicle keeps its speed and turns at its last rate, which decays

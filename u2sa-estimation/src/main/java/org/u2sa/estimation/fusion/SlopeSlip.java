@@ -2,6 +2,7 @@ package org.u2sa.estimation.fusion;
 
 import org.u2sa.estimation.measurement.Measurement;
 import org.u2sa.estimation.measurement.SensedQuantity;
+import org.u2sa.estimation.rotation.Quaternions;
 
 /**
  * Slip of wheels on a slope: a tyre passes on the weight along the slope only while it creeps, by

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 import org.u2sa.estimation.measurement.Measurement;
 import org.u2sa.estimation.measurement.SensedQuantity;
+import org.u2sa.estimation.rotation.Quaternions;
 
 /** Wind, wheel-speed scale, inertial sensors that come and go, and the start without a compass. */
 class OptionalStatesTest {

@@ -8,6 +8,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.u2sa.estimation.fusion.SourceReports.Standing;
 import org.u2sa.estimation.measurement.Measurement;
 import org.u2sa.estimation.measurement.SensedQuantity;
+import org.u2sa.estimation.rotation.Quaternions;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Point;
 

@@ -7,6 +7,7 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.u2sa.estimation.measurement.Measurement;
 import org.u2sa.estimation.measurement.SensedQuantity;
+import org.u2sa.estimation.rotation.Quaternions;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 

@@ -2,6 +2,7 @@ package org.u2sa.estimation.fusion;
 
 import java.util.Random;
 import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.rotation.Quaternions;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 

@@ -1,17 +1,17 @@
-package org.u2sa.estimation.fusion;
+package org.u2sa.estimation.rotation;
 
 /**
  * Unit quaternions w, x, y, z in arrays, which rotate BODY_FRD vectors to north, east, down (Solà
  * 2017, arXiv 1711.02508, sections 2 and 4). Uses StrictMath, so that runs are reproducible on
  * every machine.
  */
-final class Quaternions {
+public final class Quaternions {
   private static final double SMALL = 1e-8; // rad, where sin(a/2)/a is 1/2 to rounding
 
   private Quaternions() {}
 
   /** Sets the quaternion from roll, pitch and heading [rad]. */
-  static void fromEuler(double phi, double theta, double psi, double[] x, int at) {
+  public static void fromEuler(double phi, double theta, double psi, double[] x, int at) {
     double cr = StrictMath.cos(phi / 2.0);
     double sr = StrictMath.sin(phi / 2.0);
     double cp = StrictMath.cos(theta / 2.0);
@@ -25,7 +25,7 @@ final class Quaternions {
   }
 
   /** Computes the rotation matrix, row by row. */
-  static void matrix(double[] x, int at, double[] r) {
+  public static void matrix(double[] x, int at, double[] r) {
     double w = x[at];
     double a = x[at + 1];
     double b = x[at + 2];
@@ -42,14 +42,14 @@ final class Quaternions {
   }
 
   /** Computes q ← q ⊗ Exp(v), a rotation about the vehicle's axes [rad]. */
-  static void turnBody(double[] x, int at, double vx, double vy, double vz) {
+  public static void turnBody(double[] x, int at, double vx, double vy, double vz) {
     double s = halfSinc(vx, vy, vz);
     double ew = halfCos(vx, vy, vz);
     multiply(x[at], x[at + 1], x[at + 2], x[at + 3], ew, s * vx, s * vy, s * vz, x, at);
   }
 
   /** Computes q ← Exp(v) ⊗ q, a rotation about north, east and down [rad]. */
-  static void turnEarth(double[] x, int at, double vx, double vy, double vz) {
+  public static void turnEarth(double[] x, int at, double vx, double vy, double vz) {
     double s = halfSinc(vx, vy, vz);
     double ew = halfCos(vx, vy, vz);
     multiply(ew, s * vx, s * vy, s * vz, x[at], x[at + 1], x[at + 2], x[at + 3], x, at);
@@ -87,17 +87,17 @@ final class Quaternions {
   }
 
   /** Roll of a rotation matrix [rad]. */
-  static double phi(double[] r) {
+  public static double phi(double[] r) {
     return StrictMath.atan2(r[7], r[8]);
   }
 
   /** Pitch of a rotation matrix [rad]. */
-  static double theta(double[] r) {
+  public static double theta(double[] r) {
     return StrictMath.asin(Math.max(-1.0, Math.min(1.0, -r[6])));
   }
 
   /** Heading of a rotation matrix [rad, -π…π]. */
-  static double psi(double[] r) {
+  public static double psi(double[] r) {
     return StrictMath.atan2(r[3], r[0]);
   }
 }
