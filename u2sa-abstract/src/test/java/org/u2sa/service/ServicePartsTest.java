@@ -6,10 +6,12 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.log.LogFile;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.safety.StopCommand;
@@ -20,7 +22,13 @@ import org.u2sa.service.inbox.ServiceInbox;
 class ServicePartsTest {
   @TempDir private Path logs;
   private final List<String> steps = new ArrayList<>();
+  private final List<LogFile> open = new ArrayList<>();
   private boolean running = true;
+
+  @AfterEach
+  void closeLogs() {
+    open.forEach(LogFile::close);
+  }
 
   private ServiceReceiver.Recipient recipient(String name) {
     ServiceContext context =
@@ -28,6 +36,7 @@ class ServicePartsTest {
             .logDirectory(logs)
             .build();
     ServiceConfiguration configuration = new ServiceConfiguration(context, name);
+    open.add(configuration.log());
     ServiceHealth health = new ServiceHealth(new CallbackStopwatch(context.clock()));
     ServiceLife.Host host =
         new ServiceLife.Host(
