@@ -166,7 +166,9 @@ final class ConfigurationResponder {
             .revision(outcome.revision())
             .author(author);
     outcome.refusal().ifPresent(result::reason);
-    answered.remember(requestId, request, result);
+    if (service.lateness(request).isEmpty()) { // a late one may be made again under its ID
+      answered.remember(requestId, request, result);
+    }
     connection.publish(Channels.CONFIGURATION, result);
   }
 

@@ -103,7 +103,9 @@ final class MissionOrders {
           order.action() + " by " + order.operator() + " refused: " + e.getMessage());
       result.accepted(false).outcome(e.getMessage());
     }
-    answered.remember(order.requestId(), order, result);
+    if (lateness.apply(order).isEmpty()) { // a late one may be given again under its ID
+      answered.remember(order.requestId(), order, result);
+    }
     return result;
   }
 

@@ -562,7 +562,9 @@ class MissionOrdersTest extends ThreeWaypoints {
         lateBy(20.0, order(MissionAction.GOTO).uid("3")),
         "the order arrived 20.0 s after it was given; expected at most ORDER EXPIRY, 5 s: give it"
             + " again (if it was given just now, the clocks differ)");
-    accepted(lateBy(4.0, order(MissionAction.GOTO).uid("3")), "pursuing goal \"3\"");
+    String id = "order " + orders;
+    kit.publish(Channels.MISSION, lateBy(4.0, order(MissionAction.GOTO).uid("3").requestId(id)));
+    assertThat(current()).as("given again under its ID").containsExactly("3");
     accepted(lateBy(20.0, order(MissionAction.PAUSE)), "paused at 3");
     MissionOrderResult resumed = give(lateBy(20.0, order(MissionAction.RESUME)));
     assertThat(resumed.accepted()).isFalse();

@@ -50,7 +50,9 @@ final class FenceOrders {
     } catch (BadInputException e) {
       result.accepted(false).outcome(e.getMessage());
     }
-    answered.remember(order.requestId(), order, result);
+    if (lateness.apply(order).isEmpty()) { // a late one may be given again under its ID
+      answered.remember(order.requestId(), order, result);
+    }
     return result;
   }
 

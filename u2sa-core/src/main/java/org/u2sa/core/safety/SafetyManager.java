@@ -262,7 +262,9 @@ public final class SafetyManager extends PeriodicService {
 
   private void obey(ArmCommand command) {
     long now = clock().micros();
-    if (command.arm() && answered.to(command.requestId(), command).isPresent()) {
+    // With another timestamp it was given again, as after a refusal.
+    String delivery = command.requestId() + " " + command.timestamp().orElse(now);
+    if (command.arm() && answered.to(delivery, command).isPresent()) {
       publish(arming.state(now).requestId(command.requestId())); // not the old one: others obey it
       return;
     }
@@ -284,7 +286,7 @@ public final class SafetyManager extends PeriodicService {
     }
     ArmingState state = arming.state(now).requestId(command.requestId());
     late.ifPresent(reason -> state.reasons(List.of(reason)));
-    answered.remember(command.requestId(), command, state);
+    answered.remember(delivery, command, state);
     publish(state);
   }
 

@@ -238,6 +238,8 @@ class ArmingTest extends WatchedVehicle {
     assertThat(arm(armCommand(true)).armed()).isTrue();
 
     assertThat(arm((ArmCommand) disarm.copy()).armed()).isFalse();
+    ArmCommand again = armCommand(true).requestId(armed.requestId());
+    assertThat(arm(again).armed()).as("given again under its ID").isTrue();
   }
 
   @Test
