@@ -238,7 +238,10 @@ class ArmingTest extends WatchedVehicle {
     assertThat(arm(armCommand(true)).armed()).isTrue();
 
     assertThat(arm((ArmCommand) disarm.copy()).armed()).isFalse();
-    ArmCommand again = armCommand(true).requestId(armed.requestId());
+    ArmCommand other = armCommand(true);
+    assertThat(arm(other).armed()).isTrue();
+    assertThat(arm(false).armed()).isFalse();
+    ArmCommand again = armCommand(true).requestId(other.requestId());
     assertThat(arm(again).armed()).as("given again under its ID").isTrue();
   }
 
