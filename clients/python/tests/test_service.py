@@ -133,6 +133,21 @@ class ContractTest(unittest.TestCase):
         self.assertEqual(undone["assignments"][0]["value"], "0.5")
         self.assertEqual(self.probe.configuration["GAIN"], 0.5)
 
+    def test_orders_under_one_id_are_each_obeyed(self):
+        def order(gain, **more):
+            wanted = Message("ConfigurationAssignment", variableName="GAIN", value=gain)
+            return Message("ConfigurationTransaction", requestId="1", serviceName="Probe", assignments=[wanted], **more)
+
+        for gain in ("0.75", "0.25"):
+            self.assertEqual(self.answer("configuration", order(gain))["assignments"][0]["value"], gain)
+        now = time.time()
+        self.assertFalse(self.answer("configuration", order("0.1", timestamp=int((now - 60) * 1e6)))["accepted"])
+        self.assertTrue(self.answer("configuration", order("0.1", timestamp=int(now * 1e6)))["accepted"])
+        self.assertEqual(self.probe.configuration["GAIN"], 0.1)
+        self.assertTrue(self.answer("configuration", order("0.3", timestamp=int(now * 1e6)))["accepted"])
+        self.assertTrue(self.answer("configuration", order("0.1", timestamp=int((now + 1) * 1e6)))["accepted"])
+        self.assertEqual(self.probe.configuration["GAIN"], 0.1, "given again")
+
     def test_orders_older_than_their_expiry_are_refused(self):
         def ago(seconds):
             return int((time.time() - seconds) * 1e6)

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from typing import TYPE_CHECKING, List, Sequence
+from typing import TYPE_CHECKING, List, Sequence, Tuple
 
 from .configuration import Assignment, BadConfiguration
 from .message import Message
@@ -28,7 +28,8 @@ class Contract:
 
     def __init__(self, service: "Service") -> None:
         self._service = service
-        self._answered: "OrderedDict[str, Message]" = OrderedDict()  # a request that comes twice is obeyed once
+        # A request that comes twice is obeyed once; another one under the same ID, or the same given again later, is no repeat.
+        self._answered: "OrderedDict[str, Tuple[Message, Message]]" = OrderedDict()
 
     def is_order_to_stop(self, message: Message) -> bool:
         return message.is_a("StopCommand") and (
@@ -102,8 +103,9 @@ class Contract:
 
     def _once(self, message: Message) -> None:
         request = message["requestId"]
-        if request in self._answered:
-            self._service.send("configuration", self._answered[request])
+        known = self._answered.get(request)
+        if known is not None and known[0] == message:
+            self._service.send("configuration", known[1])
             return
         result = Message("ConfigurationTransactionResult", requestId=request, serviceName=self._service.name,
                          author=message.get("author"))
@@ -119,7 +121,8 @@ class Contract:
             result["reason"] = str(e)
             result["assignments"] = self._told_back(message)
         result["revision"] = self._service.configuration.revision
-        self._answered[request] = result
+        if request:
+            self._answered[request] = message, result
         while len(self._answered) > _REMEMBERED:
             self._answered.popitem(last=False)
         self._service.send("configuration", result)

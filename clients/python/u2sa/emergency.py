@@ -2,8 +2,9 @@
 from __future__ import annotations
 
 import time
-from typing import Dict, List, Optional, Set, Tuple
+from typing import Callable, Dict, List, Optional, Set, Tuple
 
+from .clock import SystemTime
 from .message import Message
 
 
@@ -15,11 +16,11 @@ def _micros(stop: Message) -> int:
     return int(stop["timestamp"])
 
 
-def _stamped(stop: Message) -> Message:
+def _stamped(stop: Message, micros: int) -> Message:
     copy = Message.carrier(stop.type, stop.chain)
     for key, value in stop.items():
         copy[key] = value
-    copy["timestamp"] = time.time_ns() // 1000
+    copy["timestamp"] = micros
     return copy
 
 
@@ -31,9 +32,11 @@ class EmergencyLatch:
     clear of another system lifts nothing. Belongs to one thread.
 
     :param system_id: whose clears count; None: everybody's
+    :param micros: the time for stops without one
     """
 
-    def __init__(self, system_id: Optional[str] = None) -> None:
+    def __init__(self, system_id: Optional[str] = None, micros: Callable[[], int] = SystemTime().micros) -> None:
+        self._micros = micros
         self._system_id = system_id
         self._standing: Dict[str, Message] = {}  # by identity, in order of arrival; each with a timestamp
         self._beyond: Optional[Message] = None  # the newest of those that are not told apart
@@ -69,7 +72,7 @@ class EmergencyLatch:
 
     def _latch(self, message: Message) -> None:
         told: Optional[int] = message.get("timestamp")
-        stop = _stamped(message) if told is None else message
+        stop = _stamped(message, self._micros()) if told is None else message
         identity = stop.get("stopId") or "|".join(
             [stop.get("systemId", ""), str(_micros(stop)), stop.get("operator", ""), stop.get("reason", "")])
         if self._repeats_lifted(identity, told):

@@ -11,10 +11,12 @@ import time
 from typing import Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 from . import tables
+from .clock import SystemTime
 from .codec import decode
 from .configuration import Configuration, Value, Variable
 from .contract import Contract
 from .emergency import EmergencyLatch
+from .gaps import Gaps
 from .health import Health
 from .inbox import Inbox
 from .link import Broker, Link
@@ -34,7 +36,7 @@ COMMON_VARIABLES = (
              description="Age at which an order to stop or to change variables no longer counts; 0: never."),
 )
 _SILENT_INTERVALS = 3
-_SENDERS = 4096
+_TIME_WITHIN_S = 1.0  # answers to the question for the system's time
 _LOGGED_CHARACTERS = 500  # of what came from outside
 
 
@@ -75,8 +77,10 @@ class Service:
         self.system_id = check_system_id(system_id)
         self.configuration = Configuration((*variables, *COMMON_VARIABLES), file, name)
         self.health = Health()
+        #: The system's time, which timestamps are taken from.
+        self.clock = SystemTime()
         #: The emergency stops that hold, for services that subscribe to emergency-stop; health reports tell them.
-        self.emergency = EmergencyLatch(system_id)
+        self.emergency = EmergencyLatch(system_id, self.clock.micros)
         self.log = logging.getLogger(f"u2sa.{name}")
         self.__occurrences = Occurrences()
         self.status = "CREATED"
@@ -91,7 +95,7 @@ class Service:
         self.__thread = threading.current_thread()
         self.link = Link(Broker.at(broker) if isinstance(broker, str) else broker, system_id, name, self._arrived, self._trouble)
         self.__contract = Contract(self)
-        self.__newest: Dict[Tuple[str, str], int] = {}  # number of the last message; on paho's thread only
+        self.__gaps = Gaps()  # on paho's thread only
 
     # What authors write.
 
@@ -142,7 +146,7 @@ class Service:
         if "systemId" not in message:
             message["systemId"] = self.system_id
         if "timestamp" not in message:
-            message["timestamp"] = time.time_ns() // 1000
+            message["timestamp"] = self.clock.micros()
         taken = self.link.publish(channel, message)
         if not taken:
             self.health.count("refused")
@@ -181,6 +185,7 @@ class Service:
         if signals:
             for number in (signal.SIGTERM, signal.SIGINT):
                 signal.signal(number, lambda _number, _frame: self.stop())
+        self._follow_time()
         for channel, chain in self._filters():
             self.link.subscribe(topic_filter(self.system_id, channel, chain))
         self.status = "RUNNING"
@@ -198,6 +203,19 @@ class Service:
             self.__stopping.set()
             self.link.close()
         return 1 if failed else 0
+
+    def _follow_time(self) -> None:
+        """Others judge data and orders by their age: takes the time of the services that run, before anything is sent with a time."""
+        self.link.subscribe(topic_filter(self.system_id, "discovery", ()))
+        self.clock.asked()
+        self.send("discovery", Message("DiscoveryRequest"))
+        until = time.monotonic() + _TIME_WITHIN_S
+        while not self.clock.is_settled() and time.monotonic() < until and not self.__stopping.wait(0.01):
+            pass
+        ahead = self.clock.follow()
+        if ahead:
+            self.log.warning("this computer's clock is %.3f s %s the system's time: follows it",
+                             abs(ahead), "behind" if ahead > 0 else "ahead of")
 
     def _filters(self) -> List[Tuple[str, Sequence[str]]]:
         own: List[Tuple[str, Sequence[str]]] = [(channel, self.__schema.type(name).chain) for channel, name in self.subscribers.items()]
@@ -217,7 +235,7 @@ class Service:
                 if missed:
                     self.health.count("overruns", missed)
                 next_step += (missed + 1) * period
-                self._guarded(lambda: self.step(time.time()))
+                self._guarded(lambda: self.step(self.clock.seconds()))
                 continue
             self._take(max(0.0, min(due, next_step if period is not None else due) - now))
 
@@ -293,8 +311,13 @@ class Service:
                 self.log.warning("a message on %.*r cannot be read (%d so far): %.*s", _LOGGED_CHARACTERS, topic, count,
                                  _LOGGED_CHARACTERS, e)
             return
-        if self._is_repeated(topic, message) and self._is_state(where.channel):
+        missing = self.__gaps.missing_before(topic, message.origin)
+        if missing is None and self._is_state(where.channel):
             return
+        if missing:
+            self.health.count("missed", missing)
+        if where.channel == "discovery" and message.is_a("DiscoveryResponse"):
+            self.clock.hear(message.get("timestamp"))
         if where.channel == "stop" and self.__contract.is_order_to_stop(message):
             late = self.lateness(message)
             if late:
@@ -316,7 +339,7 @@ class Service:
         """
         expiry = self.configuration.number("ORDER EXPIRY")
         given = order.get("timestamp")
-        age = 0.0 if given is None else time.time() - given / 1e6
+        age = 0.0 if given is None else self.clock.seconds() - given / 1e6
         if expiry == 0.0 or age <= expiry:
             return ""
         return (f"the order arrived {age:.1f} s after it was given; expected at most ORDER EXPIRY, {expiry:g} s: "
@@ -326,20 +349,6 @@ class Service:
     def _is_state(channel: str) -> bool:
         """Whether an old message must not follow a new one, as some brokers deliver them. A stop always counts."""
         return channel in tables.CHANNELS and delivery(channel)[1] and channel != "emergency-stop"
-
-    def _is_repeated(self, topic: str, message: Message) -> bool:
-        """Whether a sender's number on a topic is not above its last one. Numbers left out were lost on the way."""
-        if message.origin is None:
-            return False
-        sender, number = message.origin
-        last = self.__newest.get((sender, topic))
-        if last is not None and number > last + 1:
-            self.health.count("missed", number - last - 1)
-        self.__newest.pop((sender, topic), None)  # so that the one heard last stands last
-        self.__newest[(sender, topic)] = max(number, last or 0)
-        while len(self.__newest) > _SENDERS:
-            del self.__newest[next(iter(self.__newest))]
-        return last is not None and number <= last
 
     def _report(self) -> None:
         self.__reported = time.monotonic()

@@ -166,9 +166,7 @@ final class ConfigurationResponder {
             .revision(outcome.revision())
             .author(author);
     outcome.refusal().ifPresent(result::reason);
-    if (service.lateness(request).isEmpty()) { // a late one may be made again under its ID
-      answered.remember(requestId, request, result);
-    }
+    answered.remember(requestId, request, result);
     connection.publish(Channels.CONFIGURATION, result);
   }
 

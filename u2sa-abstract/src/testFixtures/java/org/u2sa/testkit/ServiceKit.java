@@ -152,15 +152,20 @@ public final class ServiceKit implements AutoCloseable {
     settle();
   }
 
-  /** Publishes a message as another service would, before the services get their turn. */
+  /**
+   * Publishes a message as another service would, before the services get their turn. A frozen one
+   * is delivered as it is, for example without a timestamp.
+   */
   public <T extends U2SAData> void send(Channel<T> channel, T message) {
-    if (message.systemId().isEmpty()) {
-      message.systemId(SYSTEM_ID);
+    if (!message.isFrozen()) {
+      if (message.systemId().isEmpty()) {
+        message.systemId(SYSTEM_ID);
+      }
+      if (message.timestamp().isEmpty()) {
+        message.timestamp(clock.micros());
+      }
+      message.freeze();
     }
-    if (message.timestamp().isEmpty()) {
-      message.timestamp(clock.micros());
-    }
-    message.freeze();
     bus.deliver(channel, message);
   }
 

@@ -73,6 +73,7 @@ public final class MissionManager extends PeriodicService {
   private final MissionRun run = new MissionRun(clock(), this::thresholdM);
   private final TimeLimits limits = new TimeLimits(run, this);
   private final Map<String, Long> reportedMicros = new HashMap<>(); // latest report by goal
+  private final DrivingByHand byHand;
   private final Resumable resumable;
   private final MessageTypes messageTypes;
   private final ReturnPlaces returnPlaces = new ReturnPlaces(() -> this.home);
@@ -100,6 +101,7 @@ public final class MissionManager extends PeriodicService {
             settings,
             this);
     firstFailsafe = new FirstFailsafe(this, context);
+    byHand = new DrivingByHand(context.isRestart() || context.isSwap());
     messageTypes = context.messageTypes();
     orders =
         new MissionOrders(
@@ -207,11 +209,15 @@ public final class MissionManager extends PeriodicService {
     state.text(DIGEST, files.digest());
     state.number(MissionVariables.DEFAULT_THRESHOLD, thresholdM());
     limits.handOver(state);
+    byHand.handOver(state);
+    orders.handOver(state);
     run.progress().handOver(state);
   }
 
   @Override
   protected void takeOver(HandOver state) {
+    byHand.takeOver(state);
+    orders.takeOver(state);
     boolean isItsFile =
         state.text(MissionVariables.MISSION).filter(settings.get().mission()::equals).isPresent();
     // a re-executed recording has a copy elsewhere
@@ -260,8 +266,9 @@ public final class MissionManager extends PeriodicService {
   private void onManual(ManualState state) {
     boolean isNews = clock().micros() - state.timestamp().orElse(0L) < MANUAL_NEWS_MICROS;
     MissionProgress progress = run.progress();
-    run.drivenBy(state.active() && isNews ? state.operator() : "");
-    if (state.active() && isNews && !progress.isPaused() && !progress.mission().isOver()) {
+    boolean isDriven = byHand.see(state, isNews);
+    run.drivenBy(byHand.driver());
+    if (isDriven && !progress.isPaused() && !progress.mission().isOver()) {
       passTime();
       progress.pause(true);
       log("paused: driven by hand by \"" + state.operator() + "\"");

@@ -25,6 +25,7 @@ import org.u2sa.messages.mission.MissionAction;
 import org.u2sa.messages.mission.MissionOrder;
 import org.u2sa.messages.mission.MissionOrderResult;
 import org.u2sa.messages.schema.MessageTypes;
+import org.u2sa.service.handover.HandOver;
 import org.u2sa.service.inbox.AnsweredOrders;
 
 /**
@@ -49,6 +50,8 @@ final class MissionOrders {
   private final Supplier<Optional<Waypoint>> returning;
   private final Function<Waypoint, Optional<List<Waypoint>>> way;
   private final Consumer<Mission> replacement;
+  private static final String ANSWERED = "ANSWERED ORDERS";
+
   private final Function<MissionOrder, Optional<String>> lateness;
   private final AnsweredOrders<MissionOrderResult> answered = new AnsweredOrders<>();
 
@@ -95,18 +98,25 @@ final class MissionOrders {
     try {
       String outcome = outcome(order);
       logger.log(LogLevelEnum.INFO, order.action() + " by " + order.operator() + ": " + outcome);
-      changed.run();
       result.accepted(true).outcome(outcome);
+      answered.remember(order.requestId(), order, result); // before it is saved for a successor
+      changed.run();
     } catch (BadInputException e) {
       logger.log(
           LogLevelEnum.WARN,
           order.action() + " by " + order.operator() + " refused: " + e.getMessage());
       result.accepted(false).outcome(e.getMessage());
-    }
-    if (lateness.apply(order).isEmpty()) { // a late one may be given again under its ID
       answered.remember(order.requestId(), order, result);
     }
     return result;
+  }
+
+  void handOver(HandOver state) {
+    answered.handOver(state, ANSWERED);
+  }
+
+  void takeOver(HandOver state) {
+    answered.takeOver(state, ANSWERED, MissionOrderResult.class);
   }
 
   private String outcome(MissionOrder order) {

@@ -554,6 +554,34 @@ class MissionOrdersTest extends ThreeWaypoints {
     assertThat(again.outcome()).isEqualTo("paused at 3");
   }
 
+  @Test
+  void order_sameOrderGivenAgainUnderItsId_isExecutedAndARepeatIsNot() {
+    kit.start(MissionManager::new);
+    MissionOrder first = order(MissionAction.GOTO).uid("2").requestId("x");
+    kit.publish(Channels.MISSION, first);
+    accepted(order(MissionAction.GOTO).uid("3"), "pursuing goal \"3\"");
+    kit.publish(Channels.MISSION, first);
+    assertThat(current()).as("arrives twice").containsExactly("3");
+
+    kit.advance(1.0);
+    kit.publish(Channels.MISSION, order(MissionAction.GOTO).uid("2").requestId("x"));
+    assertThat(current()).containsExactly("2");
+  }
+
+  @Test
+  void order_arrivesAgainAtARestartedManager_isAnsweredButNotExecutedAgain() {
+    MissionManager before = kit.start(MissionManager::new);
+    MissionOrder skip = order(MissionAction.SKIP).requestId("x");
+    kit.publish(Channels.MISSION, skip);
+    assertThat(current()).containsExactly("2");
+    kit.restart(before, MissionManager::new);
+    kit.publish(Channels.MISSION, skip);
+
+    assertThat(current()).containsExactly("2");
+    MissionOrderResult again = (MissionOrderResult) kit.latest(Channels.MISSION).orElseThrow();
+    assertThat(again.outcome()).isEqualTo("goal \"1\" skipped; current: 2");
+  }
+
   /** A broker keeps orders while a link is down. */
   @Test
   void order_olderThanItsExpiry_isRefusedUnlessItPauses() {

@@ -9,7 +9,9 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.mission.GoalCommand;
 import org.u2sa.messages.mission.MissionAction;
 import org.u2sa.messages.mission.MissionOrder;
@@ -243,5 +245,62 @@ class MissionPauseTest extends ThreeWaypoints {
     accepted(order(MissionAction.SKIP), "goal \"1\" skipped; current: 2");
     drive(false);
     accepted(order(MissionAction.GOTO).uid("3"), "pursuing goal \"3\"");
+  }
+
+  private ManualState driven(boolean active, long takeovers, double secondsAgo) {
+    ManualState state = new ManualState().active(active).operator("Ann").takeovers(takeovers);
+    state.timestamp(kit.clock().micros() - Clock.micros(secondsAgo));
+    return state;
+  }
+
+  @Test
+  void restart_whileDrivenByHand_staysPausedAndRefusesOrdersUntilTheEnd() {
+    MissionManager before = kit.start(MissionManager::new);
+    kit.publish(Channels.MANUAL_STATE, driven(true, 1, 0.0));
+    kit.advance(30.0);
+    kit.restart(before, MissionManager::new);
+    kit.publish(Channels.MANUAL_STATE, driven(true, 1, 30.0)); // retained
+
+    assertThat(paused()).isTrue();
+    refused(
+        order(MissionAction.RESUME),
+        "the vehicle is driven by hand by \"Ann\"; expected the order afterwards");
+    kit.publish(Channels.MANUAL_STATE, driven(false, 1, 0.0));
+    assertThat(paused()).isTrue();
+    accepted(order(MissionAction.RESUME), "resumed at [1]");
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {true, false})
+  void restart_driveBegunInItsAbsence_pausesAlsoIfItHasEnded(boolean active) {
+    MissionManager before = kit.start(MissionManager::new);
+    before.kill();
+    kit.advance(30.0);
+    kit.restart(before, MissionManager::new);
+    assertThat(paused()).isFalse();
+    kit.publish(Channels.MANUAL_STATE, driven(active, 1, 20.0)); // retained
+
+    assertThat(paused()).isTrue();
+  }
+
+  @Test
+  void restart_driveThatTheOperatorHasLeftBehind_goesOn() {
+    MissionManager before = kit.start(MissionManager::new);
+    kit.publish(Channels.MANUAL_STATE, driven(true, 1, 0.0));
+    kit.publish(Channels.MANUAL_STATE, driven(false, 1, 0.0));
+    accepted(order(MissionAction.RESUME), "resumed at [1]");
+    kit.restart(before, MissionManager::new);
+    kit.publish(Channels.MANUAL_STATE, driven(false, 1, 20.0)); // retained
+
+    assertThat(paused()).isFalse();
+  }
+
+  @Test
+  void start_retainedStateOfAnotherRun_doesNotPause() {
+    kit.start(MissionManager::new);
+    kit.publish(Channels.MANUAL_STATE, driven(true, 3, 20.0));
+    kit.publish(Channels.MANUAL_STATE, driven(false, 3, 20.0));
+
+    assertThat(paused()).isFalse();
   }
 }

@@ -18,6 +18,8 @@ public final class ClockAgreement {
 
   private static final long SAME_MICROS = 100_000; // apart, of honest answers
 
+  private static final long OTHERS_MICROS = 200_000; // after the first answer
+
   /** 2001-09-09 [µs]: an earlier time is simulated time, which a real clock cannot follow. */
   private static final long REAL_SINCE_MICROS = 1_000_000_000_000_000L;
 
@@ -25,6 +27,7 @@ public final class ClockAgreement {
   private String source = ""; // service with the fastest answer
   private long aheadMicros;
   private long errorMicros;
+  private long heardMicros; // when the first answer arrived
 
   public ClockAgreement(long nowMicros) {
     askedMicros = nowMicros;
@@ -42,6 +45,7 @@ public final class ClockAgreement {
     boolean isSame = Math.abs(ahead - aheadMicros) <= SAME_MICROS + error + errorMicros;
     boolean isBetter = isSame ? error < errorMicros : Math.abs(ahead) < Math.abs(aheadMicros);
     if (saidMicros > REAL_SINCE_MICROS && (source.isEmpty() || isBetter)) {
+      heardMicros = source.isEmpty() ? nowMicros : heardMicros;
       source = answer.serviceName() + " on " + answer.host();
       errorMicros = error;
       aheadMicros = ahead;
@@ -53,9 +57,14 @@ public final class ClockAgreement {
     return !source.isEmpty();
   }
 
-  /** Whether an answer has agreed with this process's clock: no other one can be better. */
-  public synchronized boolean isReached() {
-    return !source.isEmpty() && Math.abs(aheadMicros) <= TOLERATED_MICROS + errorMicros;
+  /**
+   * Whether there is nothing to wait for: an answer agreed with this process's clock, which no
+   * other one can do better, or the others had twice as long as the first one.
+   */
+  public synchronized boolean isReached(long nowMicros) {
+    long patience = Math.max(OTHERS_MICROS, 2 * (heardMicros - askedMicros));
+    boolean isAgreed = Math.abs(aheadMicros) <= TOLERATED_MICROS + errorMicros;
+    return !source.isEmpty() && (isAgreed || nowMicros - heardMicros > patience);
   }
 
   /**

@@ -1,15 +1,19 @@
 package org.u2sa.service.inbox;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.handover.HandOver;
 
 /**
- * The newest answers to orders: a broker may deliver an order twice (QoS 1), and a sender may
- * repeat it. The repeat is answered again but not executed again. Another order with the same ID,
- * as by a program that uses one ID for all, is no repeat. Not thread-safe.
+ * The newest answers to orders: a broker may deliver an order twice (QoS 1). The repeat is answered
+ * again but not executed again. Another order with the same ID, as by a program that uses one ID
+ * for all, is no repeat, nor is the same order with another timestamp: it was given again. Not
+ * thread-safe.
  *
  * @param <A> class of the answers
  */
@@ -47,14 +51,32 @@ public final class AnsweredOrders<A extends U2SAData> {
     }
   }
 
-  /**
-   * Length and hash of an order without its timestamp, because a sender may stamp a repeat again.
-   */
+  /** For a successor. */
+  public void handOver(HandOver state, String name) {
+    List<String> keys = new ArrayList<>();
+    List<A> values = new ArrayList<>();
+    answers.forEach(
+        (id, answered) -> {
+          keys.add(answered.content() + " " + id);
+          values.add(answered.answer());
+        });
+    state.texts(name, keys).messages(name + " ANSWERS", values);
+  }
+
+  /** Remembers what a predecessor answered. */
+  public void takeOver(HandOver state, String name, Class<A> type) {
+    List<String> keys = state.texts(name);
+    List<A> values = state.messages(name + " ANSWERS", type);
+    for (int i = 0; i < Math.min(keys.size(), values.size()); i++) {
+      int end = keys.get(i).indexOf(' ');
+      long content = Long.parseLong(keys.get(i).substring(0, end));
+      answers.put(keys.get(i).substring(end + 1), new Answered<>(content, values.get(i)));
+    }
+  }
+
+  /** Length and hash of an order. */
   private static long content(U2SAData order) {
-    U2SAData copy = order.copy();
-    copy.timestamp(0L);
-    copy.freeze();
-    byte[] bytes = copy.serialize();
+    byte[] bytes = order.serialize();
     return (long) bytes.length << Integer.SIZE | Integer.toUnsignedLong(Arrays.hashCode(bytes));
   }
 }

@@ -10,14 +10,44 @@ import org.u2sa.messages.schema.U2SAData;
  */
 public final class StreamDelay {
   private static final double ACCEPTED_AFTER_S = 10.0;
+  private static final double STEADY_S = 1.0; // ages that differ by less
   private static final double DRIFT = 1e-4; // of two clocks
 
+  /** For how long ages have stayed near the first one. */
+  private static final class Level {
+    private double sinceS;
+    private double ageS = Double.NaN;
+
+    double lastsS(double nextAgeS, double withinS, double nowS) {
+      if (!(Math.abs(nextAgeS - ageS) <= withinS)) {
+        ageS = nextAgeS;
+        sinceS = nowS;
+      }
+      return nowS - sinceS;
+    }
+  }
+
+  private final double steadyAfterS;
   private boolean isBegun;
   private double leastS; // by two clocks, so it may be negative
   private double nowS; // of the newest message
-  private boolean isLate;
-  private double lateSinceS;
-  private double leastLateS;
+  private Level rough = new Level(); // of late messages
+  private Level steady = new Level();
+
+  /** Accepts higher ages after 10 s. */
+  public StreamDelay() {
+    this(ACCEPTED_AFTER_S);
+  }
+
+  /**
+   * Also accepts higher ages that stay the same, within a second: messages that come as regularly
+   * as they were sent are not a backlog.
+   *
+   * @param steadyAfterS after so long [s]
+   */
+  public StreamDelay(double steadyAfterS) {
+    this.steadyAfterS = steadyAfterS;
+  }
 
   /**
    * Takes the next message; returns whether it is late. The first one is not, nor is one without a
@@ -32,27 +62,20 @@ public final class StreamDelay {
     double ageS = Clock.seconds(nowMicros - message.timestamp().getAsLong());
     leastS += DRIFT * (Clock.seconds(nowMicros) - nowS);
     nowS = Clock.seconds(nowMicros);
-    if (!isBegun || ageS - leastS <= limitS || staysHigher(ageS, limitS)) {
-      leastS = isBegun ? Math.min(leastS, ageS) : ageS;
-      isBegun = true;
-      isLate = false;
-      return false;
+    boolean isInTime = !isBegun || ageS - leastS <= limitS;
+    if (!isInTime && !staysHigher(ageS, limitS)) {
+      return true;
     }
-    return true;
+    leastS = isBegun && isInTime ? Math.min(leastS, ageS) : ageS;
+    isBegun = true;
+    rough = new Level();
+    steady = new Level();
+    return false;
   }
 
   private boolean staysHigher(double ageS, double limitS) {
-    if (!isLate || ageS < leastLateS - limitS) {
-      isLate = true;
-      lateSinceS = nowS;
-      leastLateS = ageS;
-    }
-    leastLateS = Math.min(leastLateS, ageS);
-    boolean isSteady = ageS - leastLateS <= limitS;
-    if (isSteady && nowS - lateSinceS >= ACCEPTED_AFTER_S) {
-      leastS = leastLateS;
-      return true;
-    }
-    return false;
+    double roughS = rough.lastsS(ageS, limitS, nowS);
+    double steadyS = steady.lastsS(ageS, STEADY_S, nowS);
+    return roughS >= ACCEPTED_AFTER_S || steadyS >= steadyAfterS;
   }
 }

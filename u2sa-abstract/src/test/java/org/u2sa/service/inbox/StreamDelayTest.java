@@ -11,7 +11,7 @@ import org.u2sa.messages.safety.OperatorHeartbeat;
 class StreamDelayTest {
   private static final double START_S = 1.7e9;
 
-  private final StreamDelay delay = new StreamDelay();
+  private StreamDelay delay = new StreamDelay();
   private double aheadS; // of the sender's clock
 
   /** A message that was sent and arrives at these times after the start [s]. */
@@ -39,8 +39,10 @@ class StreamDelayTest {
     steady(41.0, 60.0);
   }
 
-  @Test
-  void isLate_lastOnesAgainForLong_stayLate() {
+  @ParameterizedTest
+  @ValueSource(doubles = {3.0, 10.0})
+  void isLate_lastOnesAgainForLong_stayLate(double steadyAfterS) {
+    delay = new StreamDelay(steadyAfterS);
     steady(0.0, 10.0);
     for (double t = 16.0; t < 60.0; t += 0.5) {
       assertThat(isLate(10.0, t)).as("%.1f s", t).isTrue();
@@ -58,6 +60,29 @@ class StreamDelayTest {
 
     assertThat(late).isBetween(9, 11);
     steady(40.0, 50.0);
+  }
+
+  @Test
+  void isLate_heartbeatsAfterAClockWasSetBack_areAcceptedAfterThreeSeconds() {
+    delay = new StreamDelay(3.0);
+    steady(0.0, 10.0);
+    aheadS = -6.0;
+    for (int i = 0; i < 3; i++) {
+      assertThat(isLate(11.0 + i, 11.1 + i)).isTrue();
+    }
+    assertThat(isLate(14.0, 14.1)).isFalse();
+    steady(15.0, 25.0);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {100.0, 10.0, 2.0})
+  void isLate_backlogThatDrains_staysLate(double timesFaster) {
+    delay = new StreamDelay(3.0);
+    steady(0.0, 10.0);
+    for (double sent = 11.0; sent < 50.0; sent += 1.0) {
+      double arrives = 60.0 + (sent - 11.0) / timesFaster;
+      assertThat(isLate(sent, arrives)).as("%.0f s", sent).isEqualTo(arrives - sent > 5.1);
+    }
   }
 
   @Test

@@ -35,7 +35,8 @@ abstract class OrderCommand extends BaseCommand {
   public final Integer call() throws InterruptedException {
     String id = UUID.randomUUID().toString();
     MissionOrder order = order().requestId(id).operator(Operator.name());
-    try (RemoteLink link = remote.connectForOrders()) {
+    boolean isPause = order.action() == MissionAction.PAUSE; // obeyed whatever its age: at once
+    try (RemoteLink link = isPause ? remote.connect() : remote.connectForOrders()) {
       Optional<MissionOrderResult> result =
           link.first(
               Channels.MISSION,

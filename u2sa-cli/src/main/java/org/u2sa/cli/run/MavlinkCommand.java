@@ -8,8 +8,6 @@ import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.gcs.mavlink.BridgeOptions;
 import org.u2sa.gcs.mavlink.MavlinkBridge;
 import org.u2sa.gcs.remote.RemoteLink;
-import org.u2sa.interfaces.communication.CommunicationException;
-import org.u2sa.interfaces.time.Clock;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
@@ -29,7 +27,6 @@ import picocli.CommandLine.Parameters;
           + "(docs/mavlink.md)."
     })
 public final class MavlinkCommand extends BaseCommand {
-  private static final double TIME_EVERY_S = 30.0;
 
   @Mixin private RemoteSystem remote;
 
@@ -50,51 +47,20 @@ public final class MavlinkCommand extends BaseCommand {
       }
     }
     List<MavlinkBridge> bridges = new ArrayList<>();
-    List<RemoteLink> joined = new ArrayList<>();
-    Thread time = new Thread(() -> keepTime(joined), "u2sa-mavlink-time");
-    time.setDaemon(true);
     try {
       for (BridgeOptions each : parsed) {
-        RemoteLink link = remote.connectForOrders();
-        joined.add(link);
+        RemoteLink link = remote.connect();
+        link.keepTime();
         bridges.add(new MavlinkBridge(link, each, this::tell));
         print("MAVLink ground stations: " + each + ". Ctrl-C ends it.");
       }
       out().flush();
-      time.start();
       for (MavlinkBridge bridge : bridges) {
         bridge.await();
       }
     } finally {
-      time.interrupt();
       bridges.forEach(MavlinkBridge::close);
     }
     return ExitCode.FAILED; // a bridge ends on its own only when its link fails
-  }
-
-  /** The vehicle may be restarted with another clock while the bridge goes on. */
-  private void keepTime(List<RemoteLink> joined) {
-    Clock clock = joined.get(0).clock();
-    try (Clock.Waiter waiter = clock.newWaiter("mavlink-time")) {
-      while (!Thread.currentThread().isInterrupted()) {
-        long due = clock.micros() + Clock.micros(TIME_EVERY_S);
-        while (clock.micros() < due) {
-          waiter.await(due);
-        }
-        for (RemoteLink link : joined) {
-          keepTime(link);
-        }
-      }
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-    }
-  }
-
-  private void keepTime(RemoteLink link) throws InterruptedException {
-    try {
-      link.adoptTime();
-    } catch (CommunicationException e) {
-      tell("cannot ask for the vehicle's time now: " + e.getMessage());
-    }
   }
 }

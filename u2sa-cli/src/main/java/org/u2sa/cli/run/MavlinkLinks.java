@@ -115,11 +115,10 @@ public final class MavlinkLinks {
                 BrokerAccess.of("", "", false, ""))
             .ofTool()
             .waiting(CONNECT_WITHIN_S);
-    MavlinkBridge bridge =
-        new MavlinkBridge(
-            new RemoteLink(transport, "u2sa-mavlink", new SystemClock(), ANSWER_WITHIN_S, console),
-            options,
-            console);
+    RemoteLink link =
+        new RemoteLink(transport, "u2sa-mavlink", new SystemClock(), ANSWER_WITHIN_S, console);
+    link.keepTime();
+    MavlinkBridge bridge = new MavlinkBridge(link, options, console);
     console.accept("MAVLink ground stations: " + options);
     return bridge;
   }

@@ -1,5 +1,6 @@
 package org.u2sa.cli.safety;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.UUID;
 import java.util.concurrent.atomic.AtomicReference;
@@ -54,7 +55,8 @@ public abstract class ArmingCommand extends BaseCommand {
 
   @Override
   public final Integer call() throws InterruptedException {
-    try (RemoteLink link = remote.connectForOrders()) {
+    // Disarming is obeyed whatever its age, and must not wait for the vehicle's time.
+    try (RemoteLink link = arm ? remote.connectForOrders() : remote.connect()) {
       Optional<ArmingState> answer = answer(link);
       if (answer.isEmpty()) {
         print(link.systemId() + ": no Safety Manager answered within " + link.timeoutS() + " s");
@@ -62,11 +64,11 @@ public abstract class ArmingCommand extends BaseCommand {
         return ExitCode.FAILED;
       }
       boolean armed = answer.get().armed();
+      List<String> reasons = arm ? answer.get().reasons() : List.of();
+      boolean isRefused = armed != arm || !reasons.isEmpty(); // or armed before, and not again
       print(link.systemId() + (armed ? ": armed" : ": not armed"));
-      if (arm) {
-        answer.get().reasons().forEach(reason -> print("  " + reason));
-      }
-      return armed == arm ? ExitCode.DONE : ExitCode.FAILED;
+      reasons.forEach(reason -> print("  " + reason));
+      return isRefused ? ExitCode.FAILED : ExitCode.DONE;
     }
   }
 

@@ -39,6 +39,7 @@ abstract class GroundControl extends ControlSystem {
     subscribe(Channels.ARMING_STATE, this::onArming);
     subscribe(Channels.FAILSAFE, failsafe -> hand.see(failsafe.action()).ifPresent(this::ended));
     subscribe(Channels.MANUAL_DRIVE, drive -> hand.see(drive, clock().micros(), orderExpiryS()));
+    subscribe(Channels.GOALS, goals -> hand.see(goals, clock().micros()));
     subscribe(Channels.ACTUATORS, announced -> roster.see(announced, clock().micros()));
   }
 
@@ -83,8 +84,9 @@ abstract class GroundControl extends ControlSystem {
   private Optional<GroundTarget> target(StateInformation now, Optional<NavigationPoint> point) {
     Optional<StateInformation> then = point.flatMap(this::stateOf);
     Optional<Point> ned = point.flatMap(this::nedOf);
+    boolean stands = isPowerless() || hand.isHeld(clock().micros());
     Optional<GroundTarget> target =
-        then.isEmpty() || ned.isEmpty() || isPowerless()
+        then.isEmpty() || ned.isEmpty() || stands
             ? Optional.empty()
             : GroundTarget.seenFrom(then.get(), ned.get(), now, point.orElseThrow());
     if (target.isPresent() != navigating) {

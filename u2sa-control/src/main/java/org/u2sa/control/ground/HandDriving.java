@@ -3,11 +3,13 @@ package org.u2sa.control.ground;
 import java.util.Optional;
 import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.ManualDrive;
 import org.u2sa.messages.safety.ManualOrder;
 import org.u2sa.messages.safety.ManualState;
 import org.u2sa.service.handover.HandOver;
+import org.u2sa.service.inbox.ObeyedOrders;
 import org.u2sa.service.inbox.StreamDelay;
 
 /**
@@ -27,6 +29,10 @@ final class HandDriving {
 
   private static final long DEAD_MAN_MICROS = 500_000;
 
+  private static final String OBEYED = "ORDERS TO DRIVE BY HAND";
+
+  private final ObeyedOrders obeyed = new ObeyedOrders(); // to begin
+  private final HoldAfterDrive hold = new HoldAfterDrive();
   private boolean active;
   private String operator = "";
   private long takeovers;
@@ -45,6 +51,9 @@ final class HandDriving {
     if (order.active() && late.isPresent()) {
       return state().reason(late.get());
     }
+    if (order.active() && !obeyed.add(order.requestId(), order)) {
+      return state(); // arrived again: it may have been ended since
+    }
     if (order.active() && failsafe != FailsafeAction.CONTINUE) {
       return state().reason("the failsafe " + failsafe + " is in force");
     }
@@ -54,6 +63,7 @@ final class HandDriving {
       takeovers++;
       newest = null;
       delay = new StreamDelay();
+      hold.begin();
     } else if (!order.active()) {
       active = false;
     }
@@ -76,6 +86,15 @@ final class HandDriving {
       newest = drive;
       heardMicros = nowMicros;
     }
+  }
+
+  void see(GoalList goals, long nowMicros) {
+    hold.see(goals, nowMicros);
+  }
+
+  /** Whether to stand after a drive instead of obeying navigation; a failsafe has precedence. */
+  boolean isHeld(long nowMicros) {
+    return !active && hold.holds(nowMicros) && failsafe == FailsafeAction.CONTINUE;
   }
 
   /** New state if disarming ends driving by hand; otherwise empty. */
@@ -117,11 +136,14 @@ final class HandDriving {
 
   void handOver(HandOver state) {
     state.flag("BY HAND", active).text("DRIVER", operator).number("TAKEOVERS", takeovers);
+    state.texts(OBEYED, obeyed.identities()).flag("HELD AFTER DRIVE", hold.isAwaited());
   }
 
   void takeOver(HandOver state) {
     active = state.flag("BY HAND");
     operator = state.text("DRIVER").orElse("");
+    hold.await(state.flag("HELD AFTER DRIVE"));
+    obeyed.takeOver(state.texts(OBEYED));
     takeovers = (long) state.number("TAKEOVERS").orElse(0.0);
   }
 }

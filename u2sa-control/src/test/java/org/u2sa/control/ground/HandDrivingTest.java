@@ -13,6 +13,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.control.ControlSystem;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FailsafeState;
@@ -184,6 +185,72 @@ class HandDrivingTest {
     end.timestamp(drive.kit.clock().micros() - Clock.micros(20.0));
     drive.kit.publish(Channels.MANUAL_ORDERS, end);
     assertThat(drive.kit.latest(Channels.MANUAL_STATE).orElseThrow().active()).isFalse();
+  }
+
+  @Test
+  void end_withoutAMissionManager_standsUntilTheMissionIsPausedAndResumed() {
+    try (RoverDrive drive = differential()) {
+      drive.missions.kill();
+      order(drive, true, "Ann");
+      hold(drive, by("Ann").speed(0.6), 2.0);
+      order(drive, false, "Ann");
+      drive.until(() -> false, 5.0);
+      assertThat(speed(drive)).as("nobody has paused").isCloseTo(0.0, within(0.02));
+      drive.swap(DifferentialPursuitControl::new);
+      drive.until(() -> false, 5.0);
+      assertThat(speed(drive)).as("another control").isCloseTo(0.0, within(0.02));
+
+      drive.kit.publish(Channels.GOALS, goals(drive, true));
+      drive.until(() -> false, 2.0);
+      drive.kit.publish(Channels.GOALS, goals(drive, false));
+      drive.until(() -> false, 5.0);
+      assertThat(speed(drive)).as("resumed").isGreaterThan(0.3);
+    }
+  }
+
+  @Test
+  void end_goalsOfAServiceThatDoesNotPause_standsUntilItSendsThemAgain() {
+    try (RoverDrive drive = differential()) {
+      drive.missions.kill();
+      order(drive, true, "Ann");
+      order(drive, false, "Ann");
+      drive.until(() -> false, 5.0);
+      drive.kit.publish(Channels.GOALS, (GoalList) drive.kit.latest(Channels.GOALS).orElseThrow());
+      drive.until(() -> false, 5.0);
+      assertThat(speed(drive)).as("retained ones arrive again").isCloseTo(0.0, within(0.02));
+
+      drive.kit.publish(Channels.GOALS, goals(drive, false));
+      drive.until(() -> false, 5.0);
+      assertThat(speed(drive)).isGreaterThan(0.3);
+    }
+  }
+
+  private static GoalList goals(RoverDrive drive, boolean paused) {
+    return new GoalList()
+        .goals(drive.kit.latest(Channels.GOALS).orElseThrow().goals())
+        .paused(paused);
+  }
+
+  /** At QoS 1 an order may arrive twice. */
+  @Test
+  void order_arrivesAgainAfterTheEndOrASwap_doesNotTakeOverAgain() {
+    try (RoverDrive drive = differential()) {
+      ManualOrder begin = new ManualOrder().requestId("M1").active(true).operator("Ann");
+      drive.kit.publish(Channels.MANUAL_ORDERS, begin);
+      order(drive, false, "Ann");
+      drive.kit.publish(Channels.MANUAL_ORDERS, (ManualOrder) begin.copy());
+      ManualState repeated = drive.kit.latest(Channels.MANUAL_STATE).orElseThrow();
+      assertThat(repeated.active()).isFalse();
+      assertThat(repeated.takeovers()).isEqualTo(1);
+
+      drive.swap(DifferentialPursuitControl::new);
+      drive.kit.publish(Channels.MANUAL_ORDERS, (ManualOrder) begin.copy());
+      assertThat(drive.kit.latest(Channels.MANUAL_STATE).orElseThrow().active()).isFalse();
+      drive.until(() -> false, 0.1);
+      ManualOrder again = new ManualOrder().requestId("M1").active(true).operator("Ann");
+      drive.kit.publish(Channels.MANUAL_ORDERS, again);
+      assertThat(drive.kit.latest(Channels.MANUAL_STATE).orElseThrow().active()).isTrue();
+    }
   }
 
   @ParameterizedTest

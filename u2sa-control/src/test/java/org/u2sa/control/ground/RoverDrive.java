@@ -40,6 +40,7 @@ final class RoverDrive implements AutoCloseable {
   final ServiceKit kit = new ServiceKit();
   final KinematicRover rover;
   final List<Sample> track = new ArrayList<>();
+  final MissionManager missions;
   ControlSystem control;
   boolean measures = true; // false: no position
 
@@ -51,9 +52,10 @@ final class RoverDrive implements AutoCloseable {
       Map<String, Object> variables) {
     this.rover = rover;
     kit.start(PassThroughStateEstimator::new);
-    kit.with("MISSION", mission.toString())
-        .with("DEFAULT THRESHOLD", 0.5)
-        .start(MissionManager::new);
+    missions =
+        kit.with("MISSION", mission.toString())
+            .with("DEFAULT THRESHOLD", 0.5)
+            .start(MissionManager::new);
     kit.withoutVariables();
     planner.forEach(kit::with);
     kit.start(PathPlanner::new);

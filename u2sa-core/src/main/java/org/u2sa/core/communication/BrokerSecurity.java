@@ -133,7 +133,7 @@ final class BrokerSecurity {
     }
     return System.console() != null
         ? "Operator's page: " + link + "#" + own.password()
-        : "Operator's page: " + link + ", user local, password in " + account.fileName();
+        : "Operator's page: " + link + ", user local, password in " + account.tokenFile();
   }
 
   boolean isOn() {

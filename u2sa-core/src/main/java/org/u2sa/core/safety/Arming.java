@@ -3,9 +3,11 @@ package org.u2sa.core.safety;
 import java.util.ArrayList;
 import java.util.List;
 import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.messages.safety.ArmCommand;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.handover.HandOver;
+import org.u2sa.service.inbox.ObeyedOrders;
 
 /**
  * Arming state: the vehicle may move once all checks have passed and an operator or ARM AT START
@@ -13,9 +15,11 @@ import org.u2sa.service.handover.HandOver;
  */
 final class Arming {
   private static final String WAITS = "waits to arm";
+  private static final String OBEYED = "obeyed orders to arm";
 
   private final SafetyManager manager;
   private final ArmingChecks checks;
+  private final ObeyedOrders obeyed = new ObeyedOrders(); // to arm
   private boolean armed;
   private boolean waits; // whether to arm automatically once the checks pass
   private int waitsForReasons; // number of reasons last logged
@@ -51,13 +55,24 @@ final class Arming {
     }
   }
 
-  void handOver(HandOver state) {
-    state.flag(WAITS, waits);
+  /**
+   * Remembers an order to arm that arrived in time; returns whether it arrived for the first time.
+   */
+  boolean isNew(ArmCommand command) {
+    return obeyed.add(command.requestId(), command);
   }
 
-  /** Continues to wait if the Safety Manager replaced in a swap was waiting. */
-  void takeOver(HandOver state) {
-    waits = state.flag(WAITS);
+  void handOver(HandOver state) {
+    state.flag(WAITS, waits);
+    state.texts(OBEYED, obeyed.identities());
+  }
+
+  /**
+   * Remembers the orders that the predecessor obeyed, and after a swap continues to wait if it did.
+   */
+  void takeOver(HandOver state, boolean isSwap) {
+    waits = isSwap ? state.flag(WAITS) : waits;
+    obeyed.takeOver(state.texts(OBEYED));
   }
 
   /** ARM AT START counts only for the first Safety Manager of a run. */

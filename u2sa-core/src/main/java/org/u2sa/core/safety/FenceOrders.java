@@ -8,6 +8,7 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.safety.FenceOrder;
 import org.u2sa.messages.safety.FenceOrderResult;
 import org.u2sa.messages.safety.FenceState;
+import org.u2sa.service.handover.HandOver;
 import org.u2sa.service.inbox.AnsweredOrders;
 
 /**
@@ -16,6 +17,8 @@ import org.u2sa.service.inbox.AnsweredOrders;
  */
 final class FenceOrders {
   private final FenceWatch watch;
+  private static final String ANSWERED = "ANSWERED FENCE ORDERS";
+
   private final Function<FenceOrder, Optional<String>> lateness;
   private final AnsweredOrders<FenceOrderResult> answered = new AnsweredOrders<>();
 
@@ -50,10 +53,16 @@ final class FenceOrders {
     } catch (BadInputException e) {
       result.accepted(false).outcome(e.getMessage());
     }
-    if (lateness.apply(order).isEmpty()) { // a late one may be given again under its ID
-      answered.remember(order.requestId(), order, result);
-    }
+    answered.remember(order.requestId(), order, result);
     return result;
+  }
+
+  void handOver(HandOver state) {
+    answered.handOver(state, ANSWERED);
+  }
+
+  void takeOver(HandOver state) {
+    answered.takeOver(state, ANSWERED, FenceOrderResult.class);
   }
 
   private String outcome(FenceOrder order, boolean armed, long nowMicros) {

@@ -30,7 +30,6 @@ import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 import org.u2sa.service.actuator.EmergencyLatch;
 import org.u2sa.service.handover.HandOver;
-import org.u2sa.service.inbox.AnsweredOrders;
 import org.u2sa.service.inbox.StreamDelay;
 
 /**
@@ -44,13 +43,14 @@ import org.u2sa.service.inbox.StreamDelay;
 public final class SafetyManager extends PeriodicService {
   private static final String LAST_CLEAR = "LAST CLEAR"; // in the hand-over
   private static final int MAX_OPERATORS = 16;
+  private static final String REPEATED = "this order was answered before: give it under another ID";
   private static final double CHECKS_PER_S = 10.0;
   private static final double SLOWEST_HZ = 1.0; // otherwise failsafes would come too late
+  private static final double STEADY_AFTER_S = 3.0; // an operator's clock was set; below deadlines
   private static final double REPEAT_INTERVAL_S = 1.0; // interval for unchanged states
 
   private final Settings<SafetyVariables> settings = settings(SafetyVariables.class);
   private final EmergencyLatch emergency;
-  private final AnsweredOrders<ArmingState> answered = new AnsweredOrders<>();
   private String lastClear = ""; // of an emergency stop
   private String clearBefore = ""; // the last one that the predecessor heard
   private final Conditions conditions = new Conditions();
@@ -72,6 +72,7 @@ public final class SafetyManager extends PeriodicService {
   private final Map<String, StreamDelay> heartbeats = new HashMap<>(); // by operator
   private long lateHeartbeats;
   private long beganMicros; // after a predecessor
+  private boolean knowsOrders; // those that the predecessor obeyed
   private int saidFence; // fence version last published
 
   /**
@@ -165,6 +166,7 @@ public final class SafetyManager extends PeriodicService {
       predecessor.handOver(state);
     }
     arming.handOver(state);
+    fenceOrders.handOver(state);
     decision.handOver(state);
     conditions.handOver(state);
     state.text(LAST_CLEAR, lastClear);
@@ -175,9 +177,9 @@ public final class SafetyManager extends PeriodicService {
   protected void takeOver(HandOver state) {
     long now = clock().micros();
     predecessor.takeOver(state);
-    if (isSwap) {
-      arming.takeOver(state);
-    }
+    arming.takeOver(state, isSwap);
+    fenceOrders.takeOver(state);
+    knowsOrders = true;
     decision.takeOver(state, now);
     conditions.takeOver(state);
     clearBefore = state.text(LAST_CLEAR).orElse("");
@@ -241,7 +243,7 @@ public final class SafetyManager extends PeriodicService {
     }
     boolean isLate =
         heartbeats
-            .computeIfAbsent(heartbeat.operator(), name -> new StreamDelay())
+            .computeIfAbsent(heartbeat.operator(), name -> new StreamDelay(STEADY_AFTER_S))
             .isLate(heartbeat, nowMicros, orderExpiryS());
     if (isLate && Long.bitCount(++lateHeartbeats) == 1) { // 1, 2, 4, 8…
       log(
@@ -262,15 +264,14 @@ public final class SafetyManager extends PeriodicService {
 
   private void obey(ArmCommand command) {
     long now = clock().micros();
-    // With another timestamp it was given again, as after a refusal.
-    String delivery = command.requestId() + " " + command.timestamp().orElse(now);
-    if (command.arm() && answered.to(delivery, command).isPresent()) {
-      publish(arming.state(now).requestId(command.requestId())); // not the old one: others obey it
-      return;
-    }
     String order = "\"" + command.operator() + "\" asks to " + (command.arm() ? "arm" : "disarm");
     Optional<String> late =
         command.arm() ? lateness(command).or(() -> earliness(command)) : Optional.empty();
+    if (late.isEmpty() && command.arm() && !arming.isNew(command)) {
+      ArmingState state = arming.state(now).requestId(command.requestId());
+      publish(state.armed() ? state : state.reasons(List.of(REPEATED)));
+      return;
+    }
     if (late.isPresent()) {
       log(LogLevelEnum.WARN, order + ": refused, because " + late.get());
     } else {
@@ -286,13 +287,12 @@ public final class SafetyManager extends PeriodicService {
     }
     ArmingState state = arming.state(now).requestId(command.requestId());
     late.ifPresent(reason -> state.reasons(List.of(reason)));
-    answered.remember(delivery, command, state);
     publish(state);
   }
 
-  /** The predecessor may have executed it, and the vehicle may have been disarmed since. */
+  /** A predecessor that left no state may have obeyed it, and the vehicle been disarmed since. */
   private Optional<String> earliness(ArmCommand command) {
-    return command.timestamp().orElse(beganMicros) < beganMicros
+    return !knowsOrders && command.timestamp().orElse(beganMicros) < beganMicros
         ? Optional.of("the order was given before the Safety Manager was restarted: give it again")
         : Optional.empty();
   }

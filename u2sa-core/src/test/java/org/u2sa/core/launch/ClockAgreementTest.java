@@ -62,13 +62,28 @@ class ClockAgreementTest {
   void aheadMicros_liarAnswersFirst_theAnswerNearestToTheOwnClockCounts() {
     ClockAgreement agreement = new ClockAgreement(NOW);
     agreement.hear(answer(NOW - HOUR), NOW + 100);
-    assertThat(agreement.isReached()).isFalse();
+    assertThat(agreement.isReached(NOW + 200)).isFalse();
     agreement.hear(answer(NOW + 10_000), NOW + 20_000);
-    assertThat(agreement.isReached()).isTrue();
+    assertThat(agreement.isReached(NOW + 20_000)).isTrue();
     agreement.hear(answer(NOW - HOUR + 30_000), NOW + 30_000);
 
     assertThat(agreement.aheadMicros(log::add)).isZero();
     assertThat(log).isEmpty();
+  }
+
+  @Test
+  void isReached_otherClock_waitsForOthersTwiceAsLongAsForTheFirstAnswer() {
+    ClockAgreement near = new ClockAgreement(NOW);
+    near.hear(answer(NOW + HOUR), NOW + 10_000);
+    ClockAgreement far = new ClockAgreement(NOW);
+    far.hear(answer(NOW + HOUR), NOW + 600_000);
+    far.hear(answer(NOW + HOUR), NOW + 700_000);
+
+    assertThat(near.isReached(NOW + 200_000)).isFalse();
+    assertThat(near.isReached(NOW + 220_000)).isTrue();
+    assertThat(far.isReached(NOW + 1_700_000)).isFalse();
+    assertThat(far.isReached(NOW + 1_900_000)).isTrue();
+    assertThat(new ClockAgreement(NOW).isReached(NOW + HOUR)).isFalse();
   }
 
   @Test

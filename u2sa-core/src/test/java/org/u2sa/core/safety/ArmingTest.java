@@ -226,6 +226,33 @@ class ArmingTest extends WatchedVehicle {
     assertThat(kit.published(Channels.ARMING_STATE)).noneMatch(ArmingState::armed);
   }
 
+  @Test
+  void arm_orderWithoutTimeThatArrivesAgain_doesNotArmAgain() {
+    start();
+    live(0.3);
+    assertThat(arm(timeless("A1")).armed()).isTrue();
+    assertThat(arm(false).armed()).isFalse();
+    for (int i = 0; i < 100; i++) {
+      arm(armCommand(false).requestId("off " + i));
+    }
+
+    ArmingState again = arm(timeless("A1"));
+
+    assertThat(again.armed()).isFalse();
+    assertThat(again.reasons())
+        .containsExactly("this order was answered before: give it under another ID");
+    live(1.0);
+    assertThat(arm(timeless("A1")).armed()).isFalse();
+    assertThat(arm(timeless("A2")).armed()).isTrue();
+  }
+
+  private static ArmCommand timeless(String requestId) {
+    ArmCommand command = new ArmCommand().requestId(requestId).arm(true).operator("Ann");
+    command.systemId(ServiceKit.SYSTEM_ID);
+    command.freeze();
+    return command;
+  }
+
   /** As of a program that uses one ID for all. */
   @Test
   void disarm_idOfAnEarlierOrder_isObeyed() {

@@ -280,6 +280,20 @@ class FenceOrdersTest extends WatchedVehicle {
   }
 
   @Test
+  void order_arrivesAgainAtARestartedManager_isAnsweredButNotExecutedAgain() {
+    SafetyManager manager = startArmedManager();
+    FenceOrder first = new FenceOrder().action(FenceAction.REPLACE).fence(square(-50, 50));
+    assertThat(order(first).accepted()).isTrue();
+    order(new FenceOrder().action(FenceAction.REMOVE));
+    kit.restart(manager, SafetyManager::new);
+    kit.advance(0.6);
+
+    assertThat(repeated((FenceOrder) first.copy()).accepted()).isTrue();
+
+    assertThat(fence().file()).isEmpty();
+  }
+
+  @Test
   void vehicle_leavesAnOrderedFence_isAFailsafe() {
     kit.with("ON FENCE", "HOLD");
     startArmed();

@@ -191,6 +191,21 @@ class SafetyManagerRestartTest extends WatchedVehicle {
     live(1.0);
 
     assertThat(arm(command).reasons())
+        .containsExactly("this order was answered before: give it under another ID");
+    ArmCommand slowClock = armCommand(true);
+    slowClock.timestamp(kit.clock().micros() - 4_000_000L); // seems to be of before the restart
+    assertThat(arm(slowClock).reasons()).noneMatch(reason -> reason.contains("order"));
+  }
+
+  @Test
+  void arm_orderOfBeforeARestartWithoutState_isRefused() {
+    SafetyManager before = kit.start(SafetyManager::new); // has saved nothing yet
+    ArmCommand command = armCommand(true);
+    command.timestamp(kit.clock().micros());
+    kit.restart(before, SafetyManager::new);
+    live(1.0);
+
+    assertThat(arm(command).reasons())
         .containsExactly(
             "the order was given before the Safety Manager was restarted: give it again");
     assertThat(arm(true).reasons()).noneMatch(reason -> reason.contains("was given"));

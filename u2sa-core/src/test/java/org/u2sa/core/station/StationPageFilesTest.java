@@ -8,6 +8,8 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.net.URI;
 import java.net.URL;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -85,7 +87,8 @@ class StationPageFilesTest {
         CommunicationManager.start("boat", configuration, StandardTypes.registry(), log::add)) {
       assertThat(manager.address()).isPresent();
       assertThat(log)
-          .anyMatch(line -> line.startsWith("Operator's page: http://127.0.0.1:" + port));
+          .anyMatch(line -> line.startsWith("Operator's page: http://127.0.0.1:" + port))
+          .anyMatch(line -> Files.exists(Path.of(line.substring(line.lastIndexOf(' ') + 1))));
       URL page = URI.create("http://127.0.0.1:" + port + "/").toURL();
       try (InputStream in = page.openStream()) {
         assertThat(in.readAllBytes()).isEqualTo(files.get("/").content());

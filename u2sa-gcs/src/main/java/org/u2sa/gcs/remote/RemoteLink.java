@@ -26,6 +26,7 @@ import org.u2sa.service.directory.ClockAgreement;
 public final class RemoteLink implements AutoCloseable {
   private static final long LOOK_MICROS = 20_000;
   private static final double TIME_WITHIN_S = 1.0;
+  private static final long TIME_EVERY_MICROS = 30 * Clock.MICROS_PER_SECOND;
   private static final long TOLD_MICROS = Clock.MICROS_PER_SECOND / 2; // smaller changes are not
 
   private final String systemId;
@@ -35,6 +36,7 @@ public final class RemoteLink implements AutoCloseable {
   private final Map<String, List<Consumer<U2SAData>>> listeners = new ConcurrentHashMap<>();
   private final Connection connection;
   private volatile long aheadMicros; // lead of the system's time over the clock
+  private final Thread timeKeeper; // started by keepTime
   private final Thread ending; // also disconnects an interrupted command cleanly
 
   /**
@@ -52,6 +54,8 @@ public final class RemoteLink implements AutoCloseable {
     this.timeoutS = timeoutS;
     this.trouble = trouble;
     connection = transport.connect(name, new Incoming());
+    timeKeeper = new Thread(this::askForTime, name + "-time");
+    timeKeeper.setDaemon(true);
     ending = new Thread(connection::close, name + "-end");
     Runtime.getRuntime().addShutdownHook(ending);
   }
@@ -74,8 +78,7 @@ public final class RemoteLink implements AutoCloseable {
   /**
    * Asks the system for its time, and from now on stamps messages with it: services judge orders by
    * their age. Keeps this computer's time if an answer agrees with it, if nobody answers within a
-   * second and half the timeout, or if the system runs in simulated time. Call it again now and
-   * then on a link that lasts: clocks may be set.
+   * second or, on a slow link, half the timeout, or if the system runs in simulated time.
    */
   public void adoptTime() throws InterruptedException {
     ClockAgreement agreement = new ClockAgreement(clock.micros());
@@ -89,7 +92,7 @@ public final class RemoteLink implements AutoCloseable {
     try {
       agreement.asked(clock.micros());
       publish(Channels.DISCOVERY, new DiscoveryRequest());
-      await(agreement::isReached, Math.max(TIME_WITHIN_S, timeoutS / 2.0)); // a slow link
+      await(() -> agreement.isReached(clock.micros()), Math.max(TIME_WITHIN_S, timeoutS / 2.0));
     } finally {
       listenNoMore(Channels.DISCOVERY, listener);
     }
@@ -100,6 +103,33 @@ public final class RemoteLink implements AutoCloseable {
         said.forEach(trouble);
       }
       aheadMicros = ahead;
+    }
+  }
+
+  /**
+   * {@link #adoptTime} now and every half minute, in the background: on a link that lasts, the
+   * vehicle may be restarted with another clock. Messages sent before the first answer carry this
+   * computer's time, because stops must not wait. Call it once.
+   */
+  public void keepTime() {
+    timeKeeper.start();
+  }
+
+  private void askForTime() {
+    try (Clock.Waiter waiter = clock.newWaiter("link-time")) {
+      while (!timeKeeper.isInterrupted()) {
+        try {
+          adoptTime();
+        } catch (CommunicationException e) {
+          trouble.accept("cannot ask for the vehicle's time now: " + e.getMessage());
+        }
+        long due = clock.micros() + TIME_EVERY_MICROS;
+        while (clock.micros() < due) {
+          waiter.await(due);
+        }
+      }
+    } catch (InterruptedException e) {
+      timeKeeper.interrupt(); // closed
     }
   }
 
@@ -221,6 +251,7 @@ public final class RemoteLink implements AutoCloseable {
 
   @Override
   public void close() {
+    timeKeeper.interrupt();
     try {
       Runtime.getRuntime().removeShutdownHook(ending);
     } catch (IllegalStateException e) {

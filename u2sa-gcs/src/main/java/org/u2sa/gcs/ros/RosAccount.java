@@ -92,6 +92,7 @@ final class RosAccount {
               new SystemClock(),
               ANSWER_WITHIN_S,
               trouble);
+      link.keepTime();
       operates = setting.operators().test(user);
     }
     return link;

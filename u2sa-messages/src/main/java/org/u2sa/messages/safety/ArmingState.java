@@ -31,7 +31,10 @@ public final class ArmingState extends U2SAData {
     return put(ARMED, value);
   }
 
-  /** Reasons against arming, one text per failed check; empty if none. */
+  /**
+   * Reasons against arming, one text per failed check, or why an order to arm was refused, even if
+   * the vehicle was armed before; empty if none.
+   */
   public List<String> reasons() {
     return require(REASONS);
   }

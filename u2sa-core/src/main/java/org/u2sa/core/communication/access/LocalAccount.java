@@ -3,7 +3,11 @@ package org.u2sa.core.communication.access;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.EnumSet;
+import java.util.List;
 import java.util.function.Consumer;
 import org.u2sa.core.security.AccessRole;
 import org.u2sa.core.security.User;
@@ -70,9 +74,11 @@ public final class LocalAccount implements AutoCloseable {
     }
   }
 
-  /** Name of the token's file in the account's folders. */
-  public String fileName() {
-    return fileName;
+  /** The token's file; of several copies, the first. */
+  public Path tokenFile() {
+    List<Path> files = new ArrayList<>();
+    folders.all().forEach(folder -> files.add(folder.resolve(fileName)));
+    return files.stream().filter(Files::exists).findFirst().orElse(files.get(0));
   }
 
   /** User for programs with the token. */

@@ -28,7 +28,8 @@ export function row({cells, state}) {
 /** A button in the first cell of a row. */
 export function buttonRow({cells: [name, ...cells], state}, isPressed, action) {
   const line = row({cells: ['', ...cells], state});
-  const button = element('button', name, {type: 'button', onclick: action});
+  const button = element('button', '', {type: 'button', onclick: action});
+  button.append(...name.split(/(?<=[a-z])(?=[A-Z])/).flatMap((word, i) => i === 0 ? [word] : [element('wbr'), word])); // long names break between words
   button.setAttribute('aria-pressed', isPressed);
   line.firstChild.append(button);
   return line;

@@ -49,7 +49,8 @@ export class Orders {
 
   async arm(vehicle, arm) {
     const state = await this.ask(vehicle, 'arming', 'ArmCommand', {arm, operator: this.operator});
-    if (state.armed !== arm) throw new Error(arm ? 'cannot arm: ' + (state.reasons || []).join('; ') : 'still armed');
+    const reasons = arm ? state.reasons || [] : []; // of a vehicle that was armed before, too
+    if (state.armed !== arm || reasons.length > 0) throw new Error(arm ? 'cannot arm: ' + reasons.join('; ') : 'still armed');
     return arm ? 'armed' : 'disarmed';
   }
 

@@ -207,7 +207,9 @@ public final class OrdersUnderWay {
       String id = state.requestId().get();
       Pending asked = pending.get(id);
       if (asked != null) {
-        boolean isDone = state.armed() == (asked.kind() == Kind.ARM);
+        boolean isArm = asked.kind() == Kind.ARM;
+        boolean isRefused = isArm && !state.reasons().isEmpty(); // perhaps armed before
+        boolean isDone = state.armed() == isArm && !isRefused;
         answered(id, isDone, String.join("; ", state.reasons()));
       }
     } else if (message instanceof ManualState state && state.requestId().isPresent()) {

@@ -1,0 +1,51 @@
+package org.u2sa.service.inbox;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.u2sa.messages.safety.ArmCommand;
+
+class ObeyedOrdersTest {
+  private static ArmCommand at(long micros) {
+    ArmCommand command = new ArmCommand();
+    command.timestamp(micros);
+    return command;
+  }
+
+  @Test
+  void add_sameIdAndTime_isNewOnce() {
+    ObeyedOrders orders = new ObeyedOrders();
+
+    assertThat(orders.add("1", at(5))).isTrue();
+    assertThat(orders.add("1", at(5))).isFalse();
+    assertThat(orders.add("1", at(6))).as("given again").isTrue();
+    assertThat(orders.add("2", at(5))).isTrue();
+    assertThat(orders.add("1", new ArmCommand())).isTrue();
+    assertThat(orders.add("1", new ArmCommand())).isFalse();
+    assertThat(orders.add("", at(5))).isTrue();
+    assertThat(orders.add("", at(5))).isFalse();
+  }
+
+  @Test
+  void add_withoutIdAndTime_isAlwaysNew() {
+    ObeyedOrders orders = new ObeyedOrders();
+
+    assertThat(orders.add("", new ArmCommand())).isTrue();
+    assertThat(orders.add("", new ArmCommand())).isTrue();
+  }
+
+  @Test
+  void takeOver_fromAPredecessor_knowsItsOrdersAndForgetsTheOldest() {
+    ObeyedOrders before = new ObeyedOrders();
+    for (int i = 0; i < 65; i++) {
+      before.add("id", at(i));
+    }
+    ObeyedOrders after = new ObeyedOrders();
+    after.takeOver(before.identities());
+
+    assertThat(after.identities()).hasSize(64).isEqualTo(before.identities());
+    assertThat(after.add("id", at(1))).isFalse();
+    assertThat(after.add("id", at(64))).isFalse();
+    assertThat(after.add("id", at(0))).isTrue();
+  }
+}
