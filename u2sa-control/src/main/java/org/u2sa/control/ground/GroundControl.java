@@ -113,6 +113,7 @@ abstract class GroundControl extends ControlSystem {
       return super.byHand(order, late);
     }
     ManualState state = hand.obey(order, late);
+    remember();
     log(
         LogLevelEnum.WARN,
         "driving by hand, "
@@ -132,6 +133,7 @@ abstract class GroundControl extends ControlSystem {
   private void ended(ManualState state) {
     log(LogLevelEnum.WARN, "driving by hand ended: " + state.reason().orElse(""));
     publish(Channels.MANUAL_STATE, state);
+    remember();
   }
 
   /** Publishes the current state, which may differ from a predecessor's last message. */

@@ -171,6 +171,19 @@ class HandDrivingTest {
   }
 
   @Test
+  void restart_whileDrivenByHand_goesOnByHandAndCountsTakeovers() {
+    try (RoverDrive drive = differential()) {
+      order(drive, true, "Ann");
+      drive.restart(DifferentialPursuitControl::new);
+      hold(drive, by("Ann").speed(-0.4), 3.0);
+      assertThat(speed(drive)).isLessThan(-0.3);
+
+      ManualState taken = order(drive, true, "Bob");
+      assertThat(taken.takeovers()).isEqualTo(2);
+    }
+  }
+
+  @Test
   void order_olderThanItsExpiry_beginsNothingButEnds() {
     RoverDrive drive = differential();
     ManualOrder late = new ManualOrder().requestId("late").active(true).operator("anna");

@@ -89,6 +89,10 @@ final class RoverDrive implements AutoCloseable {
     control = kit.swap(control, constructor);
   }
 
+  void restart(Function<ServiceContext, ? extends ControlSystem> constructor) {
+    control = kit.restart(control, constructor);
+  }
+
   /** Says what is left of an actuator [%]. */
   void announce(String actuator, double available) {
     kit.publish(Channels.ACTUATORS, announcement(actuator).available(available));

@@ -7,6 +7,9 @@ import {sound} from './sound.js';
 
 export const STALE_MS = 1000;
 const REAL_SINCE_MICROS = 1e15; // 2001
+const REAL_UNTIL_MICROS = 4102444800000000; // 2100-01-01
+const TIMES_KEPT = 10;
+const TIMED_MS = 3000; // Safety Managers speak every second
 const MAX_VEHICLES = 64; // names come from messages
 const MAX_NAMES = 256; // services, batteries and path planners of one vehicle
 const MAX_ELEMENTS = 1000; // of a list in an answer
@@ -46,20 +49,30 @@ export class Vehicle {
     this.arming = null;
     this.failsafe = null;
     this.lastStop = '';
-    this.clockAhead = undefined; // of performance.now() [µs], less the fastest message's way
+    this.aheads = []; // lead of the vehicle's clock over performance.now() [µs], less the messages' way; the newest last
+    this.timedBy = ''; // channel that told them
+    this.timedAt = 0;
     this.events = [];
   }
 
-  /** Takes a timestamp of the vehicle [µs]: its clock, not the browser's, tells the age of an order. */
-  heardAt(timestamp) {
-    if (!(timestamp > REAL_SINCE_MICROS)) return; // simulated time, which may run faster
-    const ahead = Number(timestamp) - performance.now() * 1000;
-    if (ahead > this.clockAhead || this.clockAhead === undefined) this.clockAhead = ahead;
+  /**
+   * Takes a timestamp of the vehicle [µs]: its clock, not the browser's, tells the age of an order. Only the newest count, so that a wrong
+   * one does no lasting harm, and of them the largest, which was held up least. The Safety Manager judges, so its failsafe states prevail.
+   */
+  heardAt(timestamp, channel) {
+    if (!(timestamp > REAL_SINCE_MICROS && timestamp < REAL_UNTIL_MICROS)) return; // simulated time, which may run faster, or a false one
+    const now = performance.now();
+    if (channel !== this.timedBy && this.timedBy === 'failsafe' && now - this.timedAt < TIMED_MS) return;
+    if (channel !== this.timedBy) this.aheads = [];
+    this.timedBy = channel;
+    this.timedAt = now;
+    this.aheads.push(Number(timestamp) - now * 1000);
+    if (this.aheads.length > TIMES_KEPT) this.aheads.shift();
   }
 
   /** The vehicle's time [µs]; undefined before its first message. */
   now() {
-    return this.clockAhead === undefined ? undefined : BigInt(Math.round(this.clockAhead + performance.now() * 1000));
+    return this.aheads.length === 0 ? undefined : BigInt(Math.round(Math.max(...this.aheads) + performance.now() * 1000));
   }
 
   isStale(now = performance.now()) {
@@ -157,7 +170,7 @@ const HANDLERS = {
     vehicle.state = fields;
     vehicle.flies = vehicle.flies || type === 'AircraftState';
     vehicle.stateAt = performance.now();
-    if (fields.timestamp !== undefined) vehicle.heardAt(fields.timestamp);
+    if (fields.timestamp !== undefined) vehicle.heardAt(fields.timestamp, 'state');
     const at = vehicle.place.ofState(fields);
     if (!at) return;
     const last = vehicle.trail[vehicle.trail.length - 1];
@@ -279,7 +292,7 @@ const HANDLERS = {
       vehicle.log(`failsafe ${fields.action}: ${(fields.causes || []).join('; ') || 'no cause'}`, fields.action === 'CONTINUE' ? 'info' : 'error');
     }
     vehicle.failsafe = fields;
-    if (fields.timestamp !== undefined) vehicle.heardAt(fields.timestamp);
+    if (fields.timestamp !== undefined) vehicle.heardAt(fields.timestamp, 'failsafe');
   },
 
   'emergency-stop'(vehicle, fields) {
