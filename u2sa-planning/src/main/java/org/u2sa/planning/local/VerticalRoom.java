@@ -34,6 +34,22 @@ public record VerticalRoom(
     DoubleBinaryOperator ground,
     int before) {
 
+  /** The same room without climbing. */
+  public VerticalRoom withoutClimb() {
+    return new VerticalRoom(
+        downM,
+        goalDownM,
+        rateMps,
+        clearanceM,
+        groundM,
+        besideM,
+        Math.max(topDownM, downM),
+        bottomDownM,
+        elsewhere,
+        ground,
+        before);
+  }
+
   /** Altitudes for an evasion, in order of preference: the current one, then reachable ones. */
   double[] altitudes(double horizonS) {
     double change = rateMps * horizonS;
