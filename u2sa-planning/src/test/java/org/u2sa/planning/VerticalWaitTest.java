@@ -100,7 +100,7 @@ class VerticalWaitTest extends VerticalFlight {
     start(0.0);
     Cylinder barrel = new Cylinder().radius(1.0).height(heightM);
     barrel.uid("barrel").objectType("barrel").referenceFrame(ReferenceFrame.LOCAL_NED);
-    barrel.x(1.4).y(0.0).z(-0.5 * heightM);
+    barrel.x(1.2).y(0.0).z(-0.5 * heightM);
     assertThat(pursue(new TakeOff().z(-30.0), 60.0, barrel).completed()).isTrue();
   }
 
