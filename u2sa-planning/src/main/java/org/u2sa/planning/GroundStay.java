@@ -46,7 +46,7 @@ final class GroundStay {
   private boolean descends; // is being led to a landing
   private boolean touchesDown; // a multirotor, at its end
   private long firstLed = NEVER;
-  private OptionalDouble groundUpM = OptionalDouble.empty(); // where it last stood
+  private Optional<Place> stoodAt = Optional.empty(); // on the ground
   private OptionalDouble risesToM = OptionalDouble.empty(); // from the ground
   private String atGround = ""; // UID of the take-off or landing under way
   private boolean climbs; // straight ahead, before it may turn
@@ -68,7 +68,7 @@ final class GroundStay {
   void handOver(HandOver state) {
     state.flag("LEFT GROUND", left).flag("LANDED", landed).flag("TAKES OFF", takesOff);
     state.flag("WAS LED", wasLed);
-    groundUpM.ifPresent(altitude -> state.number("GROUND UP", altitude));
+    stoodAt.ifPresent(place -> place.handOver(state, "STOOD AT"));
   }
 
   void takeOver(HandOver state) {
@@ -76,7 +76,7 @@ final class GroundStay {
     landed = state.flag("LANDED");
     takesOff = state.flag("TAKES OFF");
     wasLed = state.flag("WAS LED");
-    groundUpM = state.number("GROUND UP");
+    stoodAt = Place.takenOver(state, "STOOD AT");
   }
 
   void heed(ArmingState state) {
@@ -100,9 +100,9 @@ final class GroundStay {
   void see(Vehicle vehicle) {
     OptionalDouble upM = vehicle.place().upM();
     left |= vehicle.speedMps() > MOVES_MPS; // too fast to stop, or off a catapult
-    left |= upM.isPresent() && upM.getAsDouble() > groundUpM.orElse(Double.MAX_VALUE) + FLIES_M;
+    left |= upM.isPresent() && upM.getAsDouble() > groundUpM().orElse(Double.MAX_VALUE) + FLIES_M;
     if ((!left || landed) && vehicle.speedMps() < AT_REST_MPS) {
-      groundUpM = upM;
+      stoodAt = Optional.of(vehicle.place());
     }
   }
 
@@ -194,6 +194,15 @@ final class GroundStay {
     return Optional.of(NavigationPoint.at(vehicle.body(ahead)));
   }
 
+  /** Where it last stood on the ground; empty without take-offs: it may have started in the air. */
+  Optional<Place> stoodAt() {
+    return takesOff ? stoodAt : Optional.empty();
+  }
+
+  private OptionalDouble groundUpM() {
+    return stoodAt.map(Place::upM).orElse(OptionalDouble.empty());
+  }
+
   /** Whether it stands where a landing has ended. */
   boolean hasLanded() {
     return landed;
@@ -246,6 +255,7 @@ final class GroundStay {
 
   private OptionalDouble leastUpM() {
     double heightM = settings.get().minHoldHeight();
+    OptionalDouble groundUpM = groundUpM();
     return isAeroplane.getAsBoolean() && groundUpM.isPresent() && heightM > 0.0
         ? OptionalDouble.of(groundUpM.getAsDouble() + heightM)
         : OptionalDouble.empty();

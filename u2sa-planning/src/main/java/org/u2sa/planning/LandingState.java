@@ -21,11 +21,12 @@ final class LandingState implements PlannerState {
   private static final double STILL_MPS = 0.25;
   private static final double STANDS_S = 2.0;
   private static final double STANDS_HIGH_S = 10.0; // on ground that should be lower
-  private static final double COS_ON_SIDE = 0.5; // 60 deg from upright
+  private static final double ON_SIDE_RAD = Math.toRadians(60.0); // from upright
   private static final double LOW_M = 3.0; // height above the ground given by the goal
   private static final double SIGMAS = 2.0; // possible height error, in standard deviations
   private static final double TOUCHES_M = 1.0; // height of a touch-down
   private static final double TOUCHES_S = 1.0; // led down at rest for so long, it has touched down
+  private static final double HARD_MPS = 4.0; // sink rate of a multirotor that falls
   private static final double SINKS_SHARE = 0.2; // fraction of the touch-down sink rate, in the air
 
   /** One way to land. */
@@ -49,6 +50,7 @@ final class LandingState implements PlannerState {
   private long sinceMicros = Long.MIN_VALUE; // when it stopped
   private double sinceDownM; // remaining height then [m]
   private boolean touches; // or is on the ground
+  private double fellMps; // greatest sink rate while low
 
   LandingState(
       Detour detour,
@@ -80,6 +82,7 @@ final class LandingState implements PlannerState {
   @Override
   public void enter(Pursuit pursuit) {
     touches = false;
+    fellMps = 0.0;
     sinceMicros = Long.MIN_VALUE;
     Vehicle vehicle = Vehicle.of(pursuit.state()).orElseThrow();
     descent().begin((Landing) pursuit.goal(), pursuit.state(), vehicle);
@@ -98,10 +101,10 @@ final class LandingState implements PlannerState {
     double downM = vehicle.nedOf(Place.of(goal)).z();
     double climbMps = pursuit.state().zDot().orElse(0.0);
     boolean isLow = downM < LOW_M + SIGMAS * pursuit.state().zSigma().orElse(0.0);
-    double upright =
-        Math.cos(pursuit.state().phi().orElse(0.0)) * Math.cos(pursuit.state().theta().orElse(0.0));
+    double tiltRad = tiltRad(pursuit.state());
+    fellMps = isLow && descent().isFinal() ? Math.max(fellMps, vehicle.downMps()) : 0.0;
     // A vehicle that waits above something does not sink either.
-    boolean waits = descent() == vertical && detour.isHeldUp() && upright >= COS_ON_SIDE;
+    boolean waits = descent() == vertical && detour.isHeldUp() && tiltRad <= ON_SIDE_RAD;
     boolean mayStand = descent().isFinal() && !waits;
     touches = mayStand && downM < TOUCHES_M;
     if (!mayStand || Math.hypot(vehicle.speedMps(), climbMps) > STILL_MPS) {
@@ -127,10 +130,30 @@ final class LandingState implements PlannerState {
         isLow
             ? String.format(Locale.ROOT, "stands %.1f m from its position", awayM)
             : String.format(Locale.ROOT, "stands %.1f m above its position", downM);
-    if (isLow && upright >= COS_ON_SIDE && awayM <= descent().farM(goal)) {
+    String damage = damage(pursuit.state());
+    if (isLow && damage.isEmpty() && awayM <= descent().farM(goal)) {
       return new Plan(List.copyOf(plan.points()), Plan.Progress.COMPLETED, stands);
     }
-    String reason = "given up: " + (upright < COS_ON_SIDE ? "has tipped over" : stands);
+    String reason = "given up: " + (damage.isEmpty() ? stands : damage);
     return new Plan(List.of(), Plan.Progress.ABANDONED, reason);
+  }
+
+  /** Why the vehicle may be damaged although it is at rest; empty if nothing says so. */
+  private String damage(StateInformation state) {
+    double sigmaRad = Math.max(state.phiSigma().orElse(0.0), state.thetaSigma().orElse(0.0));
+    if (tiltRad(state) > ON_SIDE_RAD) {
+      return "has tipped over";
+    } else if (descent() == vertical && fellMps > HARD_MPS) {
+      return String.format(Locale.ROOT, "hit the ground at %.0f m/s", fellMps);
+    }
+    return tiltRad(state) + SIGMAS * sigmaRad > ON_SIDE_RAD
+        ? "may have tipped over, roll and pitch are unknown"
+        : "";
+  }
+
+  /** Angle from upright [rad]; 0 if roll and pitch are unknown. */
+  private static double tiltRad(StateInformation state) {
+    double upright = Math.cos(state.phi().orElse(0.0)) * Math.cos(state.theta().orElse(0.0));
+    return Math.acos(upright);
   }
 }

@@ -22,6 +22,7 @@ import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.ManualState;
 import org.u2sa.planning.avoidance.Avoidance;
 import org.u2sa.planning.avoidance.AvoidanceVariables;
+import org.u2sa.planning.avoidance.KnownGround;
 import org.u2sa.planning.guidance.ChosenGuidance;
 import org.u2sa.planning.guidance.LineSettings;
 import org.u2sa.planning.guidance.LineSettings.AltitudeProfile;
@@ -357,7 +358,8 @@ public class PathPlanner extends EventDrivenService {
     Vehicle vehicle = Vehicle.of(state).orElseThrow();
     List<NavigationPoint> points =
         climb(Optional.empty(), vehicle).map(List::of).orElseGet(() -> end.plan(vehicle, place));
-    guard("", points, Optional.empty(), state); // it waits at its altitude
+    KnownGround below = new KnownGround(ground.stoodAt(), false, false);
+    guard("", points, below, state); // it waits at its altitude
     return points;
   }
 
@@ -439,7 +441,7 @@ public class PathPlanner extends EventDrivenService {
                     ground.rise(chosen, vehicle).or(() -> climb(Optional.of(chosen), vehicle)))
             .map(up -> Plan.underWay(List.of(up)))
             .orElseGet(() -> planner.get().plan(pursuit));
-    Plan plan = guarded(next, chosen, state);
+    Plan plan = guarded(next, chosen, planner.get().touchesDown(), state);
     ground.lead(chosen, plan, planner.get().touchesDown(), clock().micros());
     if (!plan.remark().isEmpty()) {
       LogLevelEnum level =
@@ -457,21 +459,23 @@ public class PathPlanner extends EventDrivenService {
   }
 
   /** The step without climbing or descending into what is above or below. */
-  private Plan guarded(Plan next, GoalInformation to, StateInformation state) {
-    Optional<Place> ground =
-        to instanceof Landing landing ? Optional.of(Place.of(landing)) : Optional.empty();
-    Optional<String> why = guard(to.uid(), next.points(), ground, state);
+  private Plan guarded(Plan next, GoalInformation to, boolean touches, StateInformation state) {
+    KnownGround below =
+        to instanceof Landing landing
+            ? new KnownGround(Optional.of(Place.of(landing)), true, touches)
+            : new KnownGround(ground.stoodAt(), false, false);
+    Optional<String> why = guard(to.uid(), next.points(), below, state);
     boolean goesOn = next.progress() == Plan.Progress.UNDER_WAY;
     return goesOn && why.isPresent() ? Plan.unless(why, next.points()) : next;
   }
 
   private Optional<String> guard(
-      String uid, List<NavigationPoint> points, Optional<Place> ground, StateInformation state) {
+      String uid, List<NavigationPoint> points, KnownGround below, StateInformation state) {
     Vehicle vehicle = Vehicle.of(state).orElseThrow();
     return points.stream()
         .filter(point -> point.subsystem().equals("VEHICLE"))
         .findFirst()
-        .flatMap(point -> avoidance.guard(uid, vehicle, state, point, ground));
+        .flatMap(point -> avoidance.guard(uid, vehicle, state, point, below));
   }
 
   private void show(PlannedPath path, StateInformation state) {

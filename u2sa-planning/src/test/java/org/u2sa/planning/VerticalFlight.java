@@ -22,6 +22,7 @@ abstract class VerticalFlight extends PlannedVehicle {
   double highestM;
   double lowestM = Double.POSITIVE_INFINITY;
   double sigmaM; // of the altitude
+  double tiltSigmaRad;
   private double beforeM;
 
   void start(double fromM) {
@@ -48,6 +49,7 @@ abstract class VerticalFlight extends PlannedVehicle {
             .yDot(0.0)
             .zDot(-climbMps)
             .phi(0.0)
+            .phiSigma(tiltSigmaRad)
             .theta(0.0));
     double down =
         kit.latest(Channels.NAVIGATION)

@@ -7,10 +7,12 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.goal.TakeOff;
 import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.shape.Cylinder;
 import org.u2sa.messages.shape.Sphere;
 
 /** A multirotor that waits in its climb or descent, also close to what it waits for. */
@@ -92,6 +94,16 @@ class VerticalWaitTest extends VerticalFlight {
     assertThat(pursue(new TakeOff().z(-30.0), 60.0, slab(0.0, 12.0)).completed()).isTrue();
   }
 
+  @ParameterizedTest
+  @ValueSource(doubles = {2.0, 2.2})
+  void takeOff_besideABarrelAsHighAsWide_isCompletedLikeBesideAHigherOne(double heightM) {
+    start(0.0);
+    Cylinder barrel = new Cylinder().radius(1.0).height(heightM);
+    barrel.uid("barrel").objectType("barrel").referenceFrame(ReferenceFrame.LOCAL_NED);
+    barrel.x(1.2).y(0.0).z(-0.5 * heightM);
+    assertThat(pursue(new TakeOff().z(-30.0), 60.0, barrel).completed()).isTrue();
+  }
+
   /** It comes to the place from the side while the vehicle descends, and stops there. */
   @ParameterizedTest
   @ValueSource(doubles = {4.0, 8.0, 13.0})
@@ -110,16 +122,14 @@ class VerticalWaitTest extends VerticalFlight {
     assertThat(kit.latest(Channels.GOAL_REPORTS).orElseThrow().abandoned()).isTrue();
   }
 
-  /** It passes above the place every 35 s; each time the vehicle climbs away and begins again. */
+  /** One after another comes towards the place; the vehicle never gets below them. */
   @Test
   void landing_trafficPassesAgainAndAgain_isGivenUpAfterItsPatience() {
     start(25.0);
     begin(landing());
     while (kit.nowS() < 420.0 && kit.latest(Channels.GOAL_REPORTS).isEmpty()) {
-      double share = kit.nowS() / 35.0 % 2.0;
-      double mps = share < 1.0 ? 8.0 : -8.0;
-      Sphere other = standing(140.0 * (share < 1.0 ? 2.0 * share - 1.0 : 3.0 - 2.0 * share), 10.0);
-      other.motion().velocity(Point.of(mps, 0.0, 0.0));
+      Sphere other = standing(8.0 * (kit.nowS() % 7.0) - 60.0, 10.0);
+      other.motion().velocity(Point.of(8.0, 0.0, 0.0));
       step(0.0, other);
     }
     GoalInformation report = kit.latest(Channels.GOAL_REPORTS).orElseThrow();

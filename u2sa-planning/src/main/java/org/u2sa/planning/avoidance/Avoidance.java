@@ -206,7 +206,7 @@ public final class Avoidance {
    * obstacles above or below and, unless a step has led there, so that it keeps away from traffic.
    *
    * @param goal UID of the goal
-   * @param ground place to land on; empty if it does not land
+   * @param ground ground known below the vehicle
    * @return reason for giving up the goal, or empty
    */
   public Optional<String> guard(
@@ -214,7 +214,7 @@ public final class Avoidance {
       Vehicle vehicle,
       StateInformation state,
       NavigationPoint point,
-      Optional<Place> ground) {
+      KnownGround ground) {
     AvoidanceVariables now = settings.get();
     if (!isOn() || !now.stops() || now.verticalClearance() == 0.0 || state.z().isEmpty()) {
       return Optional.empty();
@@ -227,10 +227,10 @@ public final class Avoidance {
     if (VerticalGuard.matters(way)) {
       if (steppedMicros != vehicle.timestampMicros()) {
         world.update(state, at.x(), at.y(), at.z(), at.z() + way.z());
-        apartM = amongTraffic(vehicle, state, at, way);
+        apartM = amongTraffic(vehicle, state, at, way, ground);
       }
       Point apart = Point.of(way.x(), way.y(), apartM);
-      downM = vertical.untilObstacle(vehicle, at, apart, ground, body(now), now);
+      downM = vertical.untilObstacle(vehicle, at, apart, ground.landing(), body(now), now);
       point.point(vehicle.body(Point.of(way.x(), way.y(), downM)));
     }
     boolean byObstacle = downM != apartM;
@@ -242,11 +242,17 @@ public final class Avoidance {
     return vertical.isHeldUp();
   }
 
-  /** Vertical way that keeps away from traffic: the wanted one, none, or up, down [m]. */
-  private double amongTraffic(Vehicle vehicle, StateInformation state, Point at, Point way) {
+  /**
+   * Vertical way that keeps away from traffic: the wanted one, none, or up, down [m]. Over known
+   * ground, a descent to land leads away from what is above, and the vehicle does not climb towards
+   * that either.
+   */
+  private double amongTraffic(
+      Vehicle vehicle, StateInformation state, Point at, Point way, KnownGround ground) {
     AvoidanceVariables now = settings.get();
     Place to = vehicle.place().at(vehicle.place().upM().orElseThrow() - way.z());
-    Optional<VerticalRoom> room = climbing.room(state, at, way, to, now, world, plane);
+    Optional<Point> spot = ground.spot(vehicle, at);
+    Optional<VerticalRoom> room = climbing.room(state, at, way, to, now, world, plane, spot);
     List<Mover> traffic = room.isPresent() ? world.allMovers() : world.movers();
     if (traffic.isEmpty()) {
       return way.z();
@@ -255,11 +261,26 @@ public final class Avoidance {
     Pose pose = new Pose(at.x(), at.y(), vehicle.headingRad());
     double cellM = world.costs().frame().cellM();
     Situation situation = Situation.of(pose, way, wanted, vehicle, cellM, now, lines.get());
-    ArcChooser arcs = arcs(situation, vehicle, traffic, room);
     double keptM = body(now).circleM() + now.trafficClearance();
-    boolean isOver =
-        way.z() > 0.0 && VerticalGuard.isOver(traffic, at, keptM, vehicle.timestampMicros());
-    return isOver ? 0.0 : arcs.inPlaceM(way.z());
+    long micros = vehicle.timestampMicros();
+    if (way.z() > 0.0 && VerticalGuard.isOver(traffic, at, keptM, micros)) {
+      return 0.0;
+    }
+    List<Mover> above =
+        spot.isPresent() ? VerticalGuard.above(traffic, at, micros) : List.<Mover>of();
+    List<Mover> minded = new ArrayList<>(traffic);
+    if (ground.lands() && way.z() > 0.0) {
+      minded.removeAll(above);
+    }
+    boolean isFree = arcs(situation, vehicle, minded, room).inPlaceM(way.z()) == way.z();
+    if (isFree || ground.touchesDown()) {
+      return way.z();
+    }
+    boolean isBelow =
+        spot.filter(low -> KnownGround.isLow(low, at)).isPresent()
+            || arcs(situation, vehicle, above, room).inPlaceM(way.z()) != way.z();
+    return arcs(situation, vehicle, traffic, isBelow ? room.map(VerticalRoom::withoutClimb) : room)
+        .inPlaceM(way.z());
   }
 
   /** Called when a waypoint was reached: blocks the way back. */
@@ -316,7 +337,7 @@ public final class Avoidance {
             pose, toGoal, wanted, vehicle, world.costs().frame().cellM(), now, lines.get());
     routes.update(situation);
     Optional<VerticalRoom> room =
-        climbing.room(state, at, toGoal, wanted.target(), now, world, plane);
+        climbing.room(state, at, toGoal, wanted.target(), now, world, plane, Optional.empty());
     List<Mover> traffic = room.isPresent() ? world.allMovers() : world.movers();
     ArcChoice choice = current.choose(arcs(situation, vehicle, traffic, room), situation);
     climbing.chosen(choice, at, micros);

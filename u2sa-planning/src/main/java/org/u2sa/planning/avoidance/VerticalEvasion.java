@@ -22,6 +22,7 @@ import org.u2sa.planning.seen.SeenWorld;
  * traffic, and reports evasions. Confined to the planner's thread.
  */
 final class VerticalEvasion {
+  private static final double LOW_M = 1.0; // height above known ground, to which it may descend
   private static final double SAME_M = 1.0; // deviations below this count as level
   private static final long LASTS_MICROS = 10 * Clock.MICROS_PER_SECOND;
 
@@ -46,6 +47,7 @@ final class VerticalEvasion {
    *
    * @param at vehicle on the plane [m]
    * @param toGoal vector to the goal [m]
+   * @param spot known ground below it on the plane [m]; empty if only the map is known
    */
   Optional<VerticalRoom> room(
       StateInformation state,
@@ -54,7 +56,8 @@ final class VerticalEvasion {
       Place target,
       AvoidanceVariables now,
       SeenWorld world,
-      PlanningPlane plane) {
+      PlanningPlane plane,
+      Optional<Point> spot) {
     boolean areKnown = state.z().isPresent() && target.upM().isPresent();
     if (!areKnown || now.evasionClimb() == 0.0 || now.verticalClearance() == 0.0) {
       return Optional.empty();
@@ -65,14 +68,15 @@ final class VerticalEvasion {
       top = Math.max(top, corridor.topDownM());
       bottom = Math.min(bottom, corridor.bottomDownM());
     }
-    double below = groundDownM(plane, at.x(), at.y());
+    double below = groundDownM(plane, at.x(), at.y(), spot);
     double clearance = now.verticalClearance();
-    double groundM = Double.isNaN(below) ? clearance : Math.min(clearance, below - at.z());
+    double keptM = spot.isPresent() ? LOW_M : clearance;
+    double groundM = Double.isNaN(below) ? clearance : Math.min(keptM, below - at.z());
     // Beyond the map there may be a hill: do not descend.
     double beyond = Double.isNaN(below) ? Double.NaN : at.z() + groundM;
     DoubleBinaryOperator ground =
         (north, east) -> {
-          double mapped = groundDownM(plane, north, east);
+          double mapped = groundDownM(plane, north, east, spot);
           return Double.isNaN(mapped) ? beyond : mapped;
         };
     bottom = Double.isNaN(below) ? bottom : Math.min(bottom, below - groundM);
@@ -99,7 +103,11 @@ final class VerticalEvasion {
             direction));
   }
 
-  private double groundDownM(PlanningPlane plane, double north, double east) {
+  private double groundDownM(PlanningPlane plane, double north, double east, Optional<Point> spot) {
+    if (spot.isPresent()
+        && Math.hypot(north - spot.get().x(), east - spot.get().y()) < KnownGround.REACH_M) {
+      return spot.get().z();
+    }
     if (terrain.isEmpty() || !plane.onEarth()) {
       return Double.NaN;
     }

@@ -128,6 +128,14 @@ final class VerticalGuard {
     return false;
   }
 
+  /** Traffic of known height above the vehicle. */
+  static List<Mover> above(List<Mover> traffic, Point at, long micros) {
+    return traffic.stream()
+        .filter(mover -> Double.isFinite(mover.heights().halfM()))
+        .filter(mover -> mover.downAfterM(mover.ageS(micros)) < at.z())
+        .toList();
+  }
+
   boolean isHeldUp() {
     return isHeldUp;
   }

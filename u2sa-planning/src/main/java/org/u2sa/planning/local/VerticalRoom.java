@@ -34,6 +34,24 @@ public record VerticalRoom(
     DoubleBinaryOperator ground,
     int before) {
 
+  private static final double ROUNDING_M = 1.0e-6;
+
+  /** The same room without climbing. */
+  public VerticalRoom withoutClimb() {
+    return new VerticalRoom(
+        downM,
+        goalDownM,
+        rateMps,
+        clearanceM,
+        groundM,
+        besideM,
+        Math.max(topDownM, downM),
+        bottomDownM,
+        elsewhere,
+        ground,
+        before);
+  }
+
   /** Altitudes for an evasion, in order of preference: the current one, then reachable ones. */
   double[] altitudes(double horizonS) {
     double change = rateMps * horizonS;
@@ -52,7 +70,7 @@ public record VerticalRoom(
   boolean isBlocked(Pose at, double atDownM) {
     double groundDownM = ground.applyAsDouble(at.northM(), at.eastM());
     boolean isUnknown = Double.isNaN(groundDownM) && bottomDownM == Double.POSITIVE_INFINITY;
-    if (isUnknown ? atDownM > downM : atDownM + groundM > groundDownM) {
+    if (isUnknown ? atDownM > downM : atDownM + groundM > groundDownM + ROUNDING_M) {
       return true;
     }
     for (PlanarShape shape : elsewhere) {

@@ -111,7 +111,7 @@ record ObjectReader(PlanningPlane plane, StateInformation vehicle) {
   private PlanarShape shape(ObjectDescription object, Point centre) {
     List<Point> middle = List.of(object.center());
     if (object instanceof Sphere sphere) {
-      return points(object, middle, sphere.radius(), 2.0 * sphere.radius(), centre);
+      return points(object, middle, sphere.radius(), 2.0 * sphere.radius(), centre).asBall();
     } else if (object instanceof Cylinder cylinder) {
       return points(object, middle, cylinder.radius(), cylinder.height(), centre);
     } else if (object instanceof Circle circle) {

@@ -17,8 +17,6 @@ public final class PlanarShape {
     AREA
   }
 
-  private static final double SAME_M = 1.0e-6; // rounding of a height
-
   private final String name;
   private final Kind kind;
   private final double[] norths;
@@ -26,6 +24,7 @@ public final class PlanarShape {
   private final double radiusM;
   private final double topDownM;
   private final double bottomDownM;
+  private final boolean isBall;
 
   /**
    * @param name UID of the object
@@ -43,6 +42,18 @@ public final class PlanarShape {
       double radiusM,
       double topDownM,
       double bottomDownM) {
+    this(name, kind, norths, easts, radiusM, topDownM, bottomDownM, false);
+  }
+
+  private PlanarShape(
+      String name,
+      Kind kind,
+      double[] norths,
+      double[] easts,
+      double radiusM,
+      double topDownM,
+      double bottomDownM,
+      boolean isBall) {
     this.name = name;
     this.kind = kind;
     this.norths = norths.clone();
@@ -50,6 +61,7 @@ public final class PlanarShape {
     this.radiusM = radiusM;
     this.topDownM = topDownM;
     this.bottomDownM = bottomDownM;
+    this.isBall = isBall;
   }
 
   /** Creates a vertically unbounded disc. */
@@ -107,9 +119,15 @@ public final class PlanarShape {
     return bottomDownM;
   }
 
-  /** Whether it is a sphere, or a cylinder of the same proportions. */
+  /** Copy of the outline and heights of a sphere, marked as one if it has an extent. */
+  PlanarShape asBall() {
+    return new PlanarShape(
+        name, kind, norths, easts, radiusM, topDownM, bottomDownM, radiusM > 0.0);
+  }
+
+  /** Whether it is a sphere, not a shape with vertical sides. */
   public boolean isBall() {
-    return norths.length == 1 && Math.abs(heightM() - 2.0 * radiusM) < SAME_M && radiusM > 0.0;
+    return isBall;
   }
 
   /** Its height [m]; 0 if it is unbounded. */

@@ -27,6 +27,8 @@ class VerticalEvasionTest {
       new AvoidanceBench(Map.of("VERTICAL CLEARANCE", 20.0, "EVASION CLIMB", 3.0));
   private final VerticalEvasion evasion = new VerticalEvasion(Optional.empty(), bench::say);
 
+  private Optional<Point> spot = Optional.empty();
+
   private VerticalRoom room() {
     Point at = Point.of(0.0, 0.0, -75.0);
     return evasion
@@ -37,7 +39,8 @@ class VerticalEvasionTest {
             Place.of(ReferenceFrame.LOCAL_NED, Point.of(8.0, 0.0, -75.0)),
             bench.settings,
             bench.world,
-            bench.world.plane(bench.state))
+            bench.world.plane(bench.state),
+            spot)
         .orElseThrow();
   }
 
@@ -95,6 +98,17 @@ class VerticalEvasionTest {
     assertThat(room().bottomDownM()).isEqualTo(Double.POSITIVE_INFINITY);
   }
 
+  /** 1 m above the ground, but only where it is known. */
+  @Test
+  void room_groundOfTheTakeOffBelow_allowsTheDescentInPlace() {
+    spot = Optional.of(Point.of(1.0, 0.0, -40.0));
+
+    assertThat(room().bottomDownM()).isEqualTo(-41.0);
+    assertThat(room().ground().applyAsDouble(0.0, 0.0)).isEqualTo(-40.0);
+    assertThat(room().ground().applyAsDouble(30.0, 0.0)).isEqualTo(-75.0 + room().groundM());
+    assertThat(room().withoutClimb().topDownM()).isEqualTo(-75.0);
+  }
+
   @Test
   void room_mapThatEndsAhead_allowsNoDescentBeyondIt(@TempDir Path folder) throws IOException {
     Path map = folder.resolve("map.asc");
@@ -112,7 +126,8 @@ class VerticalEvasionTest {
                 Place.of(ReferenceFrame.GLOBAL, Point.of(10.0005, 50.01, 75.0)),
                 bench.settings,
                 bench.world,
-                PlanningPlane.at(state))
+                PlanningPlane.at(state),
+                Optional.empty())
             .orElseThrow();
 
     assertThat(room.bottomDownM()).isCloseTo(55.0, within(0.01));
