@@ -9,6 +9,7 @@ import java.nio.file.StandardCopyOption;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.u2sa.interfaces.disk.RegularFile;
 import org.u2sa.interfaces.disk.ReplacedFile;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.service.handover.HandOver;
@@ -55,6 +56,7 @@ final class ProgressFile {
   private void replace(List<String> lines) throws IOException {
     Files.createDirectories(file.toAbsolutePath().getParent());
     Path beside = file.resolveSibling(file.getFileName() + ".tmp");
+    RegularFile.refusePipe(beside);
     Files.write(beside, lines, UTF_8);
     Files.move(beside, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
   }

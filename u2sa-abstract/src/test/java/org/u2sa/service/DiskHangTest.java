@@ -3,7 +3,8 @@ package org.u2sa.service;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.io.RandomAccessFile;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.concurrent.BlockingQueue;
@@ -19,6 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.disk.DiskThread;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
@@ -27,8 +29,8 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * Services obey on a disk that hangs. Their files are pipes without a reader, which cannot even be
- * opened for writing.
+ * Services obey on a disk that hangs: the thread of all files waits for a pipe, or one of the
+ * service's own files is one.
  */
 @Timeout(120)
 @EnabledOnOs(OS.LINUX)
@@ -66,12 +68,24 @@ class DiskHangTest {
     }
   }
 
+  private void makePipe(String name) throws IOException, InterruptedException {
+    assertThat(new ProcessBuilder("mkfifo", folder.resolve(name).toString()).start().waitFor())
+        .isZero();
+  }
+
   @BeforeEach
-  void makePipes() throws IOException, InterruptedException {
-    for (String name : new String[] {"WHEEL.log", "WHEEL.progress.tmp"}) {
-      assertThat(new ProcessBuilder("mkfifo", folder.resolve(name).toString()).start().waitFor())
-          .isZero();
-    }
+  void hang() throws IOException, InterruptedException {
+    makePipe("disk");
+    Path disk = folder.resolve("disk");
+    DiskThread.ofProcess()
+        .execute(
+            () -> {
+              try {
+                Files.newOutputStream(disk).close(); // waits for a reader
+              } catch (IOException e) {
+                throw new UncheckedIOException(e);
+              }
+            });
   }
 
   private void start(double expiryS) {
@@ -86,14 +100,18 @@ class DiskHangTest {
     wheel.start();
   }
 
-  @AfterEach
-  @SuppressWarnings("try") // open pipes let the disk answer
-  void letTheDiskAnswer() throws IOException {
-    try (RandomAccessFile log = new RandomAccessFile(folder.resolve("WHEEL.log").toFile(), "rw");
-        RandomAccessFile progress =
-            new RandomAccessFile(folder.resolve("WHEEL.progress.tmp").toFile(), "rw")) {
-      wheel.kill();
+  private void letTheDiskAnswer() throws IOException {
+    if (Files.deleteIfExists(folder.resolve("answered"))) {
+      return;
     }
+    Files.newInputStream(folder.resolve("disk")).close();
+    Files.createFile(folder.resolve("answered"));
+  }
+
+  @AfterEach
+  void end() throws IOException {
+    letTheDiskAnswer();
+    wheel.kill();
   }
 
   private void deliver(U2SAData message) {
@@ -122,6 +140,18 @@ class DiskHangTest {
     awaitMove("40.0");
 
     awaitMove("neutral");
+  }
+
+  @Test
+  void log_filesAreNamedPipes_doNotBlockOtherFiles() throws Exception {
+    makePipe("WHEEL.log");
+    makePipe("WHEEL.progress.tmp");
+    start(60.0);
+    deliver(PercentageCommand.of("WHEEL", 40.0)); // writes both
+    awaitMove("40.0");
+    letTheDiskAnswer();
+
+    assertThat(DiskThread.ofProcess().call(() -> "done", 30_000)).isEqualTo("done");
   }
 
   @Test

@@ -1,6 +1,7 @@
 package org.u2sa.estimation;
 
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import org.u2sa.estimation.measurement.Measurement;
@@ -61,6 +62,17 @@ final class LeverArms {
   /** Names of the sensors. */
   Set<String> sensors() {
     return arms.keySet();
+  }
+
+  /** Mounting position of a sensor or of one of its parts: forward, left, down [m]. */
+  Optional<double[]> of(String sensor) {
+    return Optional.ofNullable(arms.get(sensor))
+        .or(
+            () ->
+                arms.entrySet().stream()
+                    .filter(each -> SensorParts.sensor(each.getKey()).equals(sensor))
+                    .map(Map.Entry::getValue)
+                    .findFirst());
   }
 
   /** Adds the sensor's mounting position to a measurement. */

@@ -1,5 +1,6 @@
 package org.u2sa.estimation;
 
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.messages.InertialMeasurement;
@@ -78,7 +79,8 @@ final class Plausibility {
   }
 
   private static String text(String name, OptionalDouble value, double limit, String unit) {
-    return name + " " + value.getAsDouble() + ", outside ±" + limit + " " + unit;
+    return String.format(
+        Locale.ROOT, "%s %.3f, outside ±%s %s", name, value.getAsDouble(), limit, unit);
   }
 
   private static double limit(String unit) {

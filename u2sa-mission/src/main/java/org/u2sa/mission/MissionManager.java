@@ -13,6 +13,7 @@ import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.GoalResult;
@@ -77,6 +78,7 @@ public final class MissionManager extends PeriodicService {
   private final Resumable resumable;
   private final MessageTypes messageTypes;
   private final ReturnPlaces returnPlaces = new ReturnPlaces(() -> this.home);
+  private final HomeDistance homeDistance = new HomeDistance();
   private Optional<Waypoint> home = Optional.empty();
   private boolean beginsAnew = true; // false after a takeover
   private long repeatDueMicros; // of the current goals, for a planner unaware of them
@@ -122,7 +124,7 @@ public final class MissionManager extends PeriodicService {
     subscribe(Channels.MISSION, this::onMission);
     // Before failsafes: after a restart, the retained fence must be known when RETURN arrives.
     subscribe(Channels.FENCE, returnPlaces::see);
-    subscribe(Channels.STATE, returnPlaces::see);
+    subscribe(Channels.STATE, this::onState);
     subscribe(Channels.FAILSAFE, this::onFailsafe);
     subscribe(Channels.ARMING_STATE, this::onArming);
     subscribe(Channels.MANUAL_STATE, this::onManual);
@@ -280,6 +282,11 @@ public final class MissionManager extends PeriodicService {
     if (limits.pass()) {
       publishGoals();
     }
+  }
+
+  private void onState(StateInformation state) {
+    returnPlaces.see(state);
+    homeDistance.check(state, home).ifPresent(warning -> log(LogLevelEnum.WARN, warning));
   }
 
   private void onMission(U2SAData message) {

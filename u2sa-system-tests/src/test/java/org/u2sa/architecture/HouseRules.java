@@ -93,6 +93,7 @@ final class HouseRules {
                   "service",
                   "device",
                   "mission",
+                  "estimation",
                   "planning",
                   "world",
                   "control",

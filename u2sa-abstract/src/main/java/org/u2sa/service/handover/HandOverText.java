@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Base64;
 import java.util.List;
+import org.u2sa.interfaces.disk.RegularFile;
 import org.u2sa.messages.cbor.MalformedMessageException;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
@@ -44,6 +45,7 @@ public final class HandOverText {
    *     the position
    */
   public static HandOver read(Path file, String systemId, MessageCodec codec) throws IOException {
+    RegularFile.refusePipe(file);
     List<String> lines = Files.readAllLines(file, UTF_8);
     String[] first = lines.isEmpty() ? new String[0] : lines.get(0).split("\t", -1);
     int last = lines.size() - 1;

@@ -13,6 +13,7 @@ import org.u2sa.gcs.mavlink.parameter.ParameterFile;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.RunFailedException;
+import org.u2sa.interfaces.disk.RegularFile;
 import org.u2sa.messages.contract.ConfigurationResponse;
 import org.u2sa.messages.contract.ConfigurationTransaction;
 import org.u2sa.report.ReportFile;
@@ -111,7 +112,8 @@ abstract class ParameterFileCommand extends BaseCommand {
 
     private String content() {
       try {
-        if (!Files.isRegularFile(file()) || Files.size(file()) > LONGEST) {
+        RegularFile.require(file(), "a parameter file");
+        if (Files.size(file()) > LONGEST) {
           throw new BadInputException(file() + ": expected a file of at most 4 MiB");
         }
         return Files.readString(file()).replaceFirst("^\uFEFF", ""); // byte-order mark

@@ -12,10 +12,12 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.cli.record.RecordingParts;
 import org.u2sa.cli.terminal.Terminal;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.JsonText;
 import org.u2sa.interfaces.RunFailedException;
+import org.u2sa.interfaces.disk.RegularFile;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
@@ -84,10 +86,15 @@ public final class LogCommand extends BaseCommand {
       if (follow) {
         throw new BadInputException("--follow: " + source + " is a recording; expected a folder");
       }
+      RecordingParts.othersNotRead(source).ifPresent(this::tell);
       return printed(wanted(attached(source)), source);
     }
     if (!Files.isDirectory(source)) {
-      throw new BadInputException(source + ": no such folder; expected one with logs");
+      throw new BadInputException(
+          source
+              + ": "
+              + RegularFile.problem(source).orElseThrow()
+              + "; expected a folder with logs, or a recording");
     }
     LogFolder folder = new LogFolder(source);
     if (!follow) {

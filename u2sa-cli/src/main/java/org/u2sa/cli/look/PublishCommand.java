@@ -20,6 +20,7 @@ import org.u2sa.interfaces.RunFailedException;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.CommunicationException;
+import org.u2sa.interfaces.disk.RegularFile;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.MessageTypes;
@@ -177,9 +178,7 @@ public final class PublishCommand extends BaseCommand {
       return text;
     }
     Path file = Path.of(text.substring(1));
-    if (!Files.isRegularFile(file)) {
-      throw wrong(file + ": no such file; expected one with a JSON object");
-    }
+    RegularFile.require(file, "a file with a JSON object");
     return Files.readString(file);
   }
 

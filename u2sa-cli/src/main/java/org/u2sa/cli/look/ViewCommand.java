@@ -12,6 +12,7 @@ import java.util.function.BooleanSupplier;
 import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.command.ListeningTime;
+import org.u2sa.cli.record.RecordingParts;
 import org.u2sa.cli.record.SpanOptions;
 import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.gcs.remote.MessageStream;
@@ -103,6 +104,7 @@ public final class ViewCommand extends BaseCommand {
       }
     } else {
       try (RecordedMessages recording = RecordedMessages.open(file)) {
+        RecordingParts.othersNotRead(file).ifPresent(this::tell);
         recorded(recording);
       }
     }

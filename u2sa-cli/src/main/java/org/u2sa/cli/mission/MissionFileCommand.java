@@ -18,6 +18,7 @@ import org.u2sa.gcs.plan.QgcPlan;
 import org.u2sa.gcs.plan.StationPlan;
 import org.u2sa.gcs.plan.WaypointList;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.disk.RegularFile;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -75,9 +76,7 @@ abstract class MissionFileCommand extends BaseCommand {
   }
 
   String content() throws IOException {
-    if (!Files.isRegularFile(file)) {
-      throw new BadInputException(file + ": no such file");
-    }
+    RegularFile.require(file, "a mission");
     if (Files.size(file) > LONGEST) {
       throw new BadInputException(file + ": expected a file of at most 16 MiB");
     }

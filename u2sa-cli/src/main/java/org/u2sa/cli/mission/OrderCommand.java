@@ -11,6 +11,7 @@ import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.gcs.remote.Operator;
 import org.u2sa.gcs.remote.RemoteLink;
+import org.u2sa.gcs.remote.Unanswered;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.RunFailedException;
 import org.u2sa.interfaces.communication.Channels;
@@ -44,7 +45,9 @@ abstract class OrderCommand extends BaseCommand {
               MissionOrderResult.class,
               each -> each.requestId().equals(id));
       if (result.isEmpty()) {
-        throw remote.unanswered(link, ShowMissionCommand.nobody(link));
+        boolean lasts = order.action() == MissionAction.PAUSE;
+        String later = lasts ? Unanswered.LASTING : Unanswered.EXPIRING;
+        throw remote.unanswered(link, ShowMissionCommand.nobody(link) + "; " + later);
       }
       if (!result.get().accepted()) {
         throw new RunFailedException(

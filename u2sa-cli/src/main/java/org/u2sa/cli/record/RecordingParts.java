@@ -11,6 +11,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.disk.RegularFile;
 import org.u2sa.recorder.mcap.McapReader;
 import org.u2sa.recorder.mcap.record.McapMetadata;
 
@@ -28,44 +29,62 @@ public final class RecordingParts {
    * @throws IOException if one cannot be read
    */
   static List<Path> beginningWith(Path file) throws IOException {
-    if (!Files.isRegularFile(file)) {
-      throw new BadInputException(file + ": no such file; expected a recording (MCAP)");
-    }
+    RegularFile.require(file, "a recording (MCAP)");
     List<Path> parts = new ArrayList<>(List.of(file));
-    Matcher name = NUMBERED.matcher(file.getFileName().toString());
-    if (name.matches()) {
-      int number = Integer.parseInt(name.group(2));
-      Path next = file;
-      do {
-        if (next != file) {
-          parts.add(next);
-        }
-        number++;
-        next =
-            file.resolveSibling(String.format(Locale.ROOT, "%s%04d.mcap", name.group(1), number));
-      } while (Files.isRegularFile(next) && follows(next, parts.get(parts.size() - 1)));
+    Optional<Path> next = neighbour(file, 1);
+    while (next.isPresent() && follows(next.get(), parts.get(parts.size() - 1))) {
+      parts.add(next.get());
+      next = neighbour(next.get(), 1);
     }
     return parts;
   }
 
-  /** Remark for a command that reads one file only; empty if no other one continues it. */
-  public static Optional<String> othersNotRead(Path file) {
-    List<Path> parts;
-    try {
-      parts = beginningWith(file);
-    } catch (IOException e) {
-      return Optional.empty(); // of the next file; the command reads only this one
+  /** Earlier files of the same recording, in order. */
+  private static List<Path> before(Path file) throws IOException {
+    List<Path> parts = new ArrayList<>();
+    Path first = file;
+    Optional<Path> previous = neighbour(file, -1);
+    while (previous.isPresent() && follows(first, previous.get())) {
+      first = previous.get();
+      parts.add(0, first);
+      previous = neighbour(first, -1);
     }
-    int others = parts.size() - 1;
-    return others == 0
+    return parts;
+  }
+
+  /** The file whose number differs by this much, if it exists. */
+  private static Optional<Path> neighbour(Path file, int by) {
+    Matcher name = NUMBERED.matcher(file.getFileName().toString());
+    if (!name.matches()) {
+      return Optional.empty();
+    }
+    int number = Integer.parseInt(name.group(2)) + by;
+    return Optional.of(
+            file.resolveSibling(String.format(Locale.ROOT, "%s%04d.mcap", name.group(1), number)))
+        .filter(Files::isRegularFile);
+  }
+
+  /** Remark for a command that reads one file only; empty if it is the whole recording. */
+  public static Optional<String> othersNotRead(Path file) {
+    List<Path> others = new ArrayList<>();
+    try {
+      others.addAll(before(file));
+      List<Path> parts = beginningWith(file);
+      others.addAll(parts.subList(1, parts.size()));
+    } catch (IOException e) {
+      return Optional.empty(); // of another file; the command reads only this one
+    }
+    return others.isEmpty()
         ? Optional.empty()
         : Optional.of(
             String.format(
                 "%s is part of a split recording; not read: %s",
                 file,
-                others == 1
-                    ? parts.get(1)
-                    : others + " more files, " + parts.get(1) + " to " + parts.get(others)));
+                others.size() == 1
+                    ? others.get(0)
+                    : String.format(
+                        "%d more files, %s to %s",
+                        others.size(), others.get(0), others.get(others.size() - 1))));
   }
 
   private static boolean follows(Path next, Path before) throws IOException {

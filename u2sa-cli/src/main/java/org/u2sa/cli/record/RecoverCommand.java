@@ -7,6 +7,7 @@ import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.command.ProgramVersion;
 import org.u2sa.interfaces.JsonText;
+import org.u2sa.interfaces.disk.RegularFile;
 import org.u2sa.recorder.mcap.McapRecovery;
 import org.u2sa.recorder.mcap.record.McapException;
 import picocli.CommandLine.Command;
@@ -42,9 +43,7 @@ public final class RecoverCommand extends BaseCommand {
 
   @Override
   public Integer call() throws IOException {
-    if (!Files.isRegularFile(file)) {
-      throw wrong(file + ": no such file; expected a recording (MCAP)");
-    }
+    RegularFile.require(file, "a recording (MCAP)");
     Path whole = out == null ? recovered() : out;
     if (Files.exists(whole)) {
       throw wrong(whole + " already exists; give another file with --out");

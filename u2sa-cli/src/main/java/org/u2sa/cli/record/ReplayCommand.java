@@ -93,6 +93,7 @@ public final class ReplayCommand extends BaseCommand {
       return rerun.run(file);
     }
     try (RecordedMessages recording = RecordedMessages.open(file).requireMessages()) {
+      RecordingParts.othersNotRead(file).ifPresent(this::tell);
       RecordedSpan span = part.of(recording.reader());
       Predicate<McapChannel> channels = recording.channels(wanted);
       Playback playback =

@@ -10,6 +10,7 @@ import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.record.RecordingParts;
 import org.u2sa.interfaces.JsonText;
+import org.u2sa.interfaces.disk.RegularFile;
 import org.u2sa.report.page.RunPage;
 import org.u2sa.report.run.RunContent;
 import picocli.CommandLine.Command;
@@ -47,9 +48,7 @@ public final class CompareCommand extends BaseCommand {
   public Integer call() throws IOException {
     List<RunContent> runs = new ArrayList<>();
     for (Path file : files) {
-      if (!Files.isRegularFile(file)) {
-        throw wrong(file + ": no such file");
-      }
+      RegularFile.require(file, "a recording (MCAP)");
       runs.add(RunContent.read(file, Optional.empty()));
       RecordingParts.othersNotRead(file).ifPresent(this::tell);
     }

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.cli.record.RecordingParts;
 import org.u2sa.cli.record.SpanOptions;
 import org.u2sa.recorder.playback.RecordedMessages;
 import org.u2sa.report.mosaic.MosaicFile;
@@ -69,6 +70,7 @@ public final class MosaicCommand extends BaseCommand {
               mosaic.areaM2() / 10_000.0));
       recording.undecodable().ifPresent(what -> tell(what));
     }
+    RecordingParts.othersNotRead(file).ifPresent(this::tell);
     return ExitCode.DONE;
   }
 }

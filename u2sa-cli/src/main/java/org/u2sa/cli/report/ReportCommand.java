@@ -9,6 +9,7 @@ import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.record.RecordingParts;
 import org.u2sa.interfaces.JsonText;
+import org.u2sa.interfaces.disk.RegularFile;
 import org.u2sa.report.page.RunPage;
 import org.u2sa.report.run.RunContent;
 import picocli.CommandLine.Command;
@@ -54,9 +55,8 @@ public final class ReportCommand extends BaseCommand {
   @Override
   public Integer call() throws IOException {
     for (Path each : truth == null ? List.of(file) : List.of(file, truth)) {
-      if (!Files.isRegularFile(each)) {
-        throw wrong(each + ": no such file");
-      }
+      String expected = each == file ? "a recording (MCAP)" : "a track.csv";
+      RegularFile.require(each, expected);
     }
     RunContent run = RunContent.read(file, Optional.ofNullable(truth));
     RecordingParts.othersNotRead(file).ifPresent(this::tell);

@@ -9,6 +9,7 @@ import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.gcs.remote.Operator;
 import org.u2sa.gcs.remote.RemoteLink;
+import org.u2sa.gcs.remote.Unanswered;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.safety.ArmCommand;
 import org.u2sa.messages.safety.ArmingState;
@@ -60,6 +61,7 @@ public abstract class ArmingCommand extends BaseCommand {
       Optional<ArmingState> answer = answer(link);
       if (answer.isEmpty()) {
         print(link.systemId() + ": no Safety Manager answered within " + link.timeoutS() + " s");
+        print("  " + (arm ? Unanswered.EXPIRING : Unanswered.LASTING));
         remote.otherSystems(link).ifPresent(out()::println);
         return ExitCode.FAILED;
       }

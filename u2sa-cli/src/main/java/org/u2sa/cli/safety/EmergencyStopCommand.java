@@ -13,6 +13,7 @@ import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.gcs.remote.Operator;
 import org.u2sa.gcs.remote.RemoteLink;
+import org.u2sa.gcs.remote.Unanswered;
 import org.u2sa.gcs.safety.StopConfirmation;
 import org.u2sa.gcs.safety.StopOrder;
 import org.u2sa.interfaces.communication.Channels;
@@ -181,6 +182,8 @@ public final class EmergencyStopCommand extends BaseCommand {
               "%s: %s was sent, but NOT CONFIRMED%s%n",
               system, what, by.isEmpty() ? "" : " by all; " + confirmed));
       shortened(missing).forEach(reason -> text.append(String.format("  %s%n", reason)));
+      String later = clear ? Unanswered.EXPIRING : Unanswered.LASTING;
+      text.append(String.format("  %s%n", later));
     }
     out().print(text); // in one write: reports from several brokers must not mix
     out().flush();

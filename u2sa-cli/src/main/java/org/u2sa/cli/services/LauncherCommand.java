@@ -8,6 +8,7 @@ import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.gcs.remote.Operator;
 import org.u2sa.gcs.remote.RemoteLink;
+import org.u2sa.gcs.remote.Unanswered;
 import org.u2sa.gcs.services.DirectoryObservation;
 import org.u2sa.interfaces.RunFailedException;
 import org.u2sa.interfaces.communication.Channels;
@@ -104,7 +105,7 @@ public abstract class LauncherCommand extends BaseCommand {
     List<String> there = DirectoryObservation.made(link).names();
     String within = what + ": no launcher answered within " + link.timeoutS() + " s";
     return there.contains(service)
-        ? within + "; it may still be working (--timeout waits longer)"
+        ? within + " (--timeout waits longer); " + Unanswered.LASTING
         : within + "; " + StopServicesCommand.unknown(service, there, link);
   }
 }

@@ -9,6 +9,7 @@ import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.gcs.remote.RemoteLink;
+import org.u2sa.gcs.remote.Unanswered;
 import org.u2sa.gcs.services.DirectoryObservation;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
@@ -47,6 +48,9 @@ public final class StopServicesCommand extends BaseCommand {
       }
       Set<String> told = name == null ? new TreeSet<>(there) : Set.of(name);
       int code = report(told, stopped(link, told), link);
+      if (code != ExitCode.DONE) {
+        print("  " + Unanswered.EXPIRING);
+      }
       if (told.isEmpty()) {
         remote.otherSystems(link).ifPresent(out()::println);
       } else if (code != ExitCode.DONE) {

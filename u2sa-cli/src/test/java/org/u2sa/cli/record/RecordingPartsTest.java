@@ -57,6 +57,10 @@ class RecordingPartsTest {
     Path third = write("r-0003.mcap", "5", 21, 30);
     assertThat(RecordingParts.othersNotRead(first).orElseThrow())
         .endsWith("not read: 2 more files, " + second + " to " + third);
+    assertThat(RecordingParts.othersNotRead(second).orElseThrow())
+        .endsWith("not read: 2 more files, " + first + " to " + third);
+    assertThat(RecordingParts.othersNotRead(third).orElseThrow())
+        .endsWith("not read: 2 more files, " + first + " to " + second);
     Files.writeString(second, "damaged");
     assertThat(RecordingParts.othersNotRead(first)).isEmpty();
   }

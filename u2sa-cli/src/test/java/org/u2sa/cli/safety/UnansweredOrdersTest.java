@@ -48,12 +48,14 @@ class UnansweredOrdersTest {
     assertThat(run("baot", new EmergencyStopCommand())).isEqualTo(ExitCode.FAILED);
     assertThat(out.toString())
         .contains("baot: Emergency stop was sent, but NOT CONFIRMED")
+        .contains("the order may still be carried out, whenever it is delivered")
         .contains("no service of system \"baot\" is heard")
         .contains("did you mean \"boat\"?");
     out.getBuffer().setLength(0);
     assertThat(run("baot", new ArmingCommand.Arm())).isEqualTo(ExitCode.FAILED);
     assertThat(out.toString())
         .contains("no Safety Manager answered")
+        .contains("the order may still be carried out if it is delivered within ORDER EXPIRY")
         .contains("did you mean \"boat\"?");
   }
 

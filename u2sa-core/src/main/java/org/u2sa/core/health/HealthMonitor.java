@@ -1,5 +1,6 @@
 package org.u2sa.core.health;
 
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -175,7 +176,10 @@ public final class HealthMonitor extends PeriodicService {
     if (nowS - lookedS > LOST_AFTER_PERIODS * periodS()) {
       log(
           LogLevelEnum.WARN,
-          "no check for " + (nowS - lookedS) + " s: not judging services by their silence");
+          String.format(
+              Locale.ROOT,
+              "no check for %.1f s: not judging services by their silence",
+              nowS - lookedS));
       services.values().forEach(service -> service.excuse(nowS));
       safetyManager.excuse(nowS);
     }

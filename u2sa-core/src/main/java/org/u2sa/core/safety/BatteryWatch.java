@@ -126,7 +126,7 @@ final class BatteryWatch implements Watch {
       String what, OptionalDouble value, ToDoubleFunction<SafetyVariables> level, String unit) {
     double least = level.applyAsDouble(settings.get());
     return value.isPresent() && value.getAsDouble() < least
-        ? ", " + what + " " + value.getAsDouble() + " below " + least + " " + unit
+        ? ", " + what + " " + CauseText.below(value.getAsDouble()) + " below " + least + " " + unit
         : "";
   }
 

@@ -1,5 +1,7 @@
 package org.u2sa.core.safety;
 
+import java.math.BigDecimal;
+import java.math.RoundingMode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -16,6 +18,11 @@ final class CauseText {
 
   static String metres(double metres) {
     return String.format(Locale.ROOT, "%.0f m", metres);
+  }
+
+  /** A value below a limit, rounded down to hundredths: it never reads like the limit. */
+  static String below(double value) {
+    return String.valueOf(BigDecimal.valueOf(value).setScale(2, RoundingMode.FLOOR).doubleValue());
   }
 
   /** Parses a comma-separated list; empty text gives no names. */

@@ -163,6 +163,16 @@ class WatchLimitsTest {
   }
 
   @Test
+  void battery_voltageWithManyDigits_isRoundedDown() {
+    BatteryWatch watch = battery(11.0, 0.0, 0.0);
+    watch.see(state("main", 10.999999999, 90.0), 0);
+    assertThat(watch.trouble(SECOND)).contains("main, voltage 10.99 below 11.0 V");
+
+    watch.see(state("main", 0.4354838654398918, 90.0), SECOND);
+    assertThat(watch.trouble(2 * SECOND)).contains("main, voltage 0.43 below 11.0 V");
+  }
+
+  @Test
   void battery_emptyOneAfterManyInvented_isStillHeard() {
     BatteryWatch watch = battery(11.0, 0.0, 0.0);
     for (int i = 0; i < 1_000; i++) {

@@ -3,6 +3,7 @@ package org.u2sa.drivers.mavlink;
 import io.dronefleet.mavlink.common.Attitude;
 import io.dronefleet.mavlink.common.GlobalPositionInt;
 import io.dronefleet.mavlink.common.GpsRawInt;
+import java.util.Locale;
 import java.util.Optional;
 import org.u2sa.drivers.gps.HorizontalError;
 import org.u2sa.interfaces.time.Clock;
@@ -75,7 +76,8 @@ final class AutopilotState {
 
   private static void within(String what, double value, double most, String unit) {
     if (!(Math.abs(value) <= most)) {
-      throw new IllegalArgumentException(what + " " + value + " is outside ±" + most + " " + unit);
+      throw new IllegalArgumentException(
+          String.format(Locale.ROOT, "%s %.3f is outside ±%s %s", what, value, most, unit));
     }
   }
 

@@ -48,7 +48,12 @@ public final class MavlinkTraffic extends MavlinkListener<TrafficReceiver.Traffi
     boolean isOnEarth =
         Math.abs(latitudeDeg) <= MAX_LATITUDE_DEG && Math.abs(longitudeDeg) <= MAX_LONGITUDE_DEG;
     if (!isOnEarth) {
-      refuse("ADSB_VEHICLE at latitude " + latitudeDeg + ", longitude " + longitudeDeg + " deg");
+      refuse(
+          String.format(
+              Locale.ROOT,
+              "ADSB_VEHICLE at latitude %.7f, longitude %.7f deg",
+              latitudeDeg,
+              longitudeDeg));
     }
     if (!isOnEarth || !has(vehicle, AdsbFlags.ADSB_FLAGS_VALID_COORDS)) {
       picture.alive(nowMicros);

@@ -55,7 +55,8 @@ final class Gdl90Report {
       return Optional.empty();
     }
     if (Math.abs(latitude * DEGREES) > MAX_LATITUDE_DEG) {
-      throw new IllegalArgumentException("latitude " + latitude * DEGREES + " is outside ±90 deg");
+      throw new IllegalArgumentException(
+          String.format(Locale.ROOT, "latitude %.5f is outside ±90 deg", latitude * DEGREES));
     }
     int altitude = unsigned(report, 11) << 4 | unsigned(report, 12) >> 4;
     return Optional.of(

@@ -11,6 +11,7 @@ import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.stream.Collectors;
 import org.u2sa.gcs.remote.Operator;
 import org.u2sa.gcs.remote.RemoteLink;
+import org.u2sa.gcs.remote.Unanswered;
 import org.u2sa.gcs.services.DirectoryObservation;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.RunFailedException;
@@ -57,7 +58,7 @@ public final class RemoteConfiguration {
       }
     }
     if (answers.isEmpty()) {
-      throw nobody(service);
+      throw nobody(service, "");
     }
     Set<String> there =
         answers.stream()
@@ -171,18 +172,18 @@ public final class RemoteConfiguration {
                 request,
                 ConfigurationTransactionResult.class,
                 each -> each.requestId().equals(id))
-            .orElseThrow(() -> nobody(service));
+            .orElseThrow(() -> nobody(service, "; " + Unanswered.EXPIRING));
     if (!result.accepted()) {
       throw new RunFailedException(result.reason());
     }
     return result;
   }
 
-  private RunFailedException nobody(String service) {
+  private RunFailedException nobody(String service, String later) {
     return new RunFailedException(
         String.format(
-            "%s of system \"%s\" did not answer within %s s; ./u2sa config list shows which services do",
-            service, link.systemId(), link.timeoutS()));
+            "%s of system \"%s\" did not answer within %s s; ./u2sa config list shows which services do%s",
+            service, link.systemId(), link.timeoutS(), later));
   }
 
   /** Text of a change: one line per variable, and the revision. */

@@ -11,6 +11,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.concurrent.atomic.AtomicLong;
 import org.u2sa.interfaces.disk.DiskThread;
+import org.u2sa.interfaces.disk.RegularFile;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
 
@@ -304,6 +305,7 @@ public final class LogFile implements AutoCloseable {
     if (folder != null) {
       Files.createDirectories(folder);
     }
+    RegularFile.refusePipe(file);
     out = opener.append(file);
   }
 

@@ -34,6 +34,19 @@ class LogFileFailureTest extends LogFileFixture {
   }
 
   @Test
+  @EnabledOnOs(OS.LINUX)
+  void log_namedPipe_isNamedAndDoesNotWait() throws IOException, InterruptedException {
+    Path pipe = folder.resolve("Control.log");
+    assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor()).isZero();
+    try (LogFile log = log(pipe, LogLevelEnum.INFO)) {
+      log.log(LogLevelEnum.INFO, "a");
+
+      assertThat(log.failures()).isEqualTo(1);
+      assertThat(complaints()).contains(pipe + " is a named pipe; remove it");
+    }
+  }
+
+  @Test
   void log_folderCannotBeMade_countsAndRecoversWhenItCan() throws IOException {
     Path obstacle = Files.write(folder.resolve("logs"), new byte[0]);
     Path file = obstacle.resolve("Control.log");

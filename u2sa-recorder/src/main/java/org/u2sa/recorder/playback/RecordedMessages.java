@@ -1,7 +1,6 @@
 package org.u2sa.recorder.playback;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -15,6 +14,7 @@ import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.interfaces.disk.RegularFile;
 import org.u2sa.messages.cbor.MalformedMessageException;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.MessageTypes;
@@ -65,9 +65,7 @@ public final class RecordedMessages implements AutoCloseable {
    * @throws IOException if it cannot be read or is not a complete MCAP file
    */
   public static RecordedMessages open(Path file) throws IOException {
-    if (!Files.isRegularFile(file)) {
-      throw new BadInputException(file + ": no such file; expected a recording (MCAP)");
-    }
+    RegularFile.require(file, "a recording (MCAP)");
     return new RecordedMessages(file, McapReader.open(file));
   }
 

@@ -180,7 +180,7 @@ final class CampaignOptions {
     for (Sweep sweep : sweeps) {
       sweep.values().forEach(value -> words.addAll(sweep.arguments(value)));
     }
-    return InputFiles.of(words, HomeFolder.path(), directory());
+    return InputFiles.of(words, HomeFolder.path(), directory(), System.getenv());
   }
 
   /** Backend that executes the runs. */

@@ -28,11 +28,13 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.report.ReportFile;
+import org.u2sa.world.sdf.SdfResources;
 
 /**
  * The files that determine the results of a campaign's runs, with a digest of each: those that the
- * command names, the XML files beside them, the files that these name in turn, and U2SA's own
- * configurations and missions.
+ * command names, the XML files beside them, the files that these name in turn, also in the folders
+ * of Gazebo's environment variables, and U2SA's own configurations and missions. Files that runs
+ * write do not count.
  */
 final class InputFiles {
   private static final List<String> OWN = List.of("config", "missions");
@@ -40,6 +42,13 @@ final class InputFiles {
   private static final long MAX_TEXT_BYTES = 16L << 20; // larger ones name no files
   private static final int MAX_NAME = 300;
   private static final String MODEL = "model://";
+  private static final String SERVER = "://";
+
+  /** A variable that names a file which runs write, in a configuration. */
+  private static final Pattern OUTPUT = Pattern.compile("<[^<>]*[\"']SAVE MAP[\"'][^<>]*>");
+
+  /** The same, as an argument of {@code --set}. */
+  private static final Pattern SET_OUTPUT = Pattern.compile("(.*=)?[^=]*:SAVE MAP=.*");
 
   /** An attribute's value, or the text of an element. */
   private static final Pattern VALUE =
@@ -51,8 +60,11 @@ final class InputFiles {
   private final Set<Path> folders = new TreeSet<>();
   private final Deque<Path> left = new ArrayDeque<>();
 
-  private InputFiles(Path excluded) {
+  private final List<Path> resources; // folders of Gazebo's models
+
+  private InputFiles(Path excluded, List<Path> resources) {
     this.excluded = excluded.toAbsolutePath().normalize();
+    this.resources = resources;
   }
 
   /**
@@ -61,9 +73,11 @@ final class InputFiles {
    * @param words the command's words
    * @param home U2SA's folder
    * @param out the campaign's own folder, which is left out
+   * @param environment variables of the process
    */
-  static SortedMap<String, String> of(Collection<String> words, Path home, Path out) {
-    InputFiles files = new InputFiles(out);
+  static SortedMap<String, String> of(
+      Collection<String> words, Path home, Path out, Map<String, String> environment) {
+    InputFiles files = new InputFiles(out, SdfResources.folders(environment));
     try {
       for (String folder : OWN) {
         files.addAll(home.resolve(folder));
@@ -113,6 +127,9 @@ final class InputFiles {
   }
 
   private static Set<String> names(String word) {
+    if (SET_OUTPUT.matcher(word).matches()) {
+      return Set.of();
+    }
     Set<String> names = new LinkedHashSet<>(List.of(word));
     String value = word.substring(word.indexOf('=') + 1);
     names.add(value);
@@ -126,14 +143,33 @@ final class InputFiles {
     }
     try {
       if (name.startsWith(MODEL)) {
-        for (String root : List.of("", "models", "../models")) { // as SdfResources
-          addAll(folder.resolve(root).resolve(name.substring(MODEL.length())));
-        }
+        addResource(folder, name.substring(MODEL.length()));
+      } else if (name.contains(SERVER)) {
+        addResource(folder, name.substring(name.lastIndexOf('/') + 1));
       } else if (Files.isRegularFile(folder.resolve(name.strip()))) {
         addAll(folder.resolve(name.strip()));
+      } else {
+        for (Path root : resources) {
+          if (Files.isRegularFile(root.resolve(name.strip()))) {
+            addAll(root.resolve(name.strip()));
+          }
+        }
       }
     } catch (InvalidPathException e) {
       // a value that is no file name
+    }
+  }
+
+  /** Adds a model or mesh from wherever {@link SdfResources} looks for it. */
+  private void addResource(Path folder, String name) throws IOException {
+    if (name.isBlank() || name.startsWith(".")) {
+      return;
+    }
+    for (String root : List.of("", "models", "../models")) {
+      addAll(folder.resolve(root).resolve(name));
+    }
+    for (Path root : resources) {
+      addAll(root.resolve(name));
     }
   }
 
@@ -174,7 +210,8 @@ final class InputFiles {
     if (Files.size(file) > MAX_TEXT_BYTES) {
       return;
     }
-    Matcher values = VALUE.matcher(Files.readString(file, StandardCharsets.ISO_8859_1));
+    String text = Files.readString(file, StandardCharsets.ISO_8859_1);
+    Matcher values = VALUE.matcher(OUTPUT.matcher(text).replaceAll(""));
     while (values.find()) {
       add(file.getParent(), values.group(values.start(1) >= 0 ? 1 : 2));
     }

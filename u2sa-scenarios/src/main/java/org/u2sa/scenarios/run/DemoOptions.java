@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.concurrent.TimeUnit;
 import org.u2sa.cli.terminal.Terminal;
+import org.u2sa.interfaces.disk.RegularFile;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -70,10 +71,13 @@ public final class DemoOptions {
       paramLabel = "FILE",
       description = "Mission file (XML) to use instead of the demo's own.")
   private void mission(Path file) {
-    if (!Files.isRegularFile(file) || !Files.isReadable(file)) {
+    Optional<String> problem =
+        RegularFile.problem(file)
+            .or(() -> Files.isReadable(file) ? Optional.empty() : Optional.of("is not readable"));
+    if (problem.isPresent()) {
       throw new ParameterException(
           command.commandLine(),
-          "--mission " + file + ": no such file, or not readable; expected a mission (XML)");
+          "--mission " + file + ": " + problem.get() + "; expected a mission (XML)");
     }
     mission = file;
   }

@@ -149,8 +149,10 @@ record DemoRun(
       }
       refuseFailed(running);
       refuseUnswapped(operator);
-      int completed = (int) goals.stream().filter(observer.record().completed()::contains).count();
-      if (completed < goals.size()) {
+      Set<String> pursued = observer.record().goals(goals);
+      int completed =
+          (int) pursued.stream().filter(observer.record().completed()::contains).count();
+      if (completed < pursued.size()) {
         troubles.printRest();
         terminal.out().println("Logs: " + directory.resolve("logs"));
       }
@@ -161,7 +163,7 @@ record DemoRun(
               seed,
               simulated.name(),
               wallS,
-              OptionalInt.of(goals.size()),
+              OptionalInt.of(pursued.size()),
               OptionalInt.of(completed)),
           fenced(observer.record().plan(), running),
           observer.record().track(),

@@ -1,8 +1,10 @@
 package org.u2sa.scenarios.run;
 
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
@@ -16,6 +18,7 @@ import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.mission.MissionAction;
 import org.u2sa.messages.mission.MissionOrder;
+import org.u2sa.messages.mission.MissionOrderResult;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.report.score.RunPlan;
 import org.u2sa.report.score.Track;
@@ -27,6 +30,7 @@ import org.u2sa.report.score.TrackSample;
  */
 public final class RunRecord {
   private static final long NOT_YET = -1;
+  private static final String THRESHOLD = "Threshold>"; // in the XML of orders
 
   private final List<String> names;
   private final MovedPlan plan;
@@ -48,7 +52,10 @@ public final class RunRecord {
   private boolean seen = true; // whether there is a sample with the current target
   private long startMicros = NOT_YET;
   private volatile boolean missionOver;
-  private final Set<String> updated = new HashSet<>(); // goals that an operator's orders name
+  private final ReplacedGoals replaced = new ReplacedGoals();
+  private Optional<Set<String>> inForce = Optional.empty(); // unless it is the plan
+  // goals that an operator's orders name, and whether an order changes thresholds
+  private final Map<String, Boolean> updated = new HashMap<>();
   private volatile long readings; // single writer
 
   /**
@@ -64,9 +71,11 @@ public final class RunRecord {
   /** Processes goals, goal reports and {@link Channels#MISSION}; false for other messages. */
   public boolean received(U2SAData data) {
     if (data instanceof MissionOrder order) {
-      if (order.action() == MissionAction.UPDATE) {
-        names.stream().filter(order.goals().orElse("")::contains).forEach(updated::add);
-      }
+      ordered(order);
+      return true;
+    }
+    if (data instanceof MissionOrderResult result) {
+      replaced.accepted(result).ifPresent(this::replaceBy);
       return true;
     }
     if (Channels.MISSION.carries(data)) {
@@ -80,6 +89,37 @@ public final class RunRecord {
       return false;
     }
     return true;
+  }
+
+  private void ordered(MissionOrder order) {
+    boolean replaces = order.action() == MissionAction.REPLACE;
+    if (replaces || order.action() == MissionAction.UPDATE) {
+      String goals = order.goals().orElse("");
+      boolean changesThresholds = replaces || goals.contains(THRESHOLD);
+      names.stream()
+          .filter(goals::contains)
+          .forEach(name -> updated.merge(name, changesThresholds, Boolean::logicalOr));
+    }
+    replaced.see(order);
+  }
+
+  private void replaceBy(Set<String> goals) {
+    names.stream()
+        .filter(name -> !goals.contains(name) && !done.contains(name))
+        .forEach(leftOut::add);
+    Set<String> all = new LinkedHashSet<>(done);
+    all.addAll(goals);
+    inForce = Optional.of(all);
+  }
+
+  /**
+   * Goals to complete: those of a mission that replaced the planned one, and those completed
+   * before; call like {@link #track}.
+   *
+   * @param planned goals of the mission at the start
+   */
+  Set<String> goals(Set<String> planned) {
+    return inForce.orElse(planned);
   }
 
   /** A report names the goal that the planner pursued among several current ones. */
@@ -131,9 +171,9 @@ public final class RunRecord {
   private void followMoved(GoalInformation goal) {
     int at = names.indexOf(goal.uid());
     // without an order, a goal of this name elsewhere is a failsafe's
-    if (updated.contains(goal.uid())
+    if (updated.containsKey(goal.uid())
         && goal instanceof Waypoint waypoint
-        && plan.follow(waypoint, at)) {
+        && plan.follow(waypoint, at, updated.get(goal.uid()))) {
       track.abandoned(at);
       onLine = false;
     }

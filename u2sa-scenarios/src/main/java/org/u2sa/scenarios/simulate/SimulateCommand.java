@@ -1,7 +1,6 @@
 package org.u2sa.scenarios.simulate;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashSet;
 import java.util.Optional;
@@ -10,7 +9,10 @@ import java.util.concurrent.Callable;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.drivers.ioio.IoioService;
+import org.u2sa.estimation.FusingStateEstimator;
+import org.u2sa.estimation.StatedPlacement;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.disk.RegularFile;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -91,15 +93,14 @@ final class SimulateCommand implements Callable<Integer>, Demo {
   private Double limitS; // null if not given
 
   private VehicleFile vehicle;
+  private LaunchOptions options; // of the present run
   private int unplaced;
   private RunPlan.Start placed; // of the newest plan
   private double longestS; // of the newest plan
 
   @Override
   public Integer call() throws InterruptedException, IOException {
-    if (!Files.isRegularFile(systemFile)) {
-      throw new BadInputException(systemFile + ": no such file; expected a system file (XML)");
-    }
+    RegularFile.require(systemFile, "a system file (XML)");
     if (limitS != null && !(limitS > 0.0 && Double.isFinite(limitS))) {
       throw wrong("--limit " + limitS + ": expected more than 0 s");
     }
@@ -248,11 +249,24 @@ final class SimulateCommand implements Callable<Integer>, Demo {
     Set<String> goals = new LinkedHashSet<>();
     mission.goals().forEach(goal -> goals.add(goal.uid()));
     int elsewhere = goals.size() - plan(mission).waypoints().size();
+    Geodetic from = world.plane().origin().fromEnu(place(mission));
     return placed.trial(
         mission,
         vehicle.name(),
-        clock -> new EstimateScorer(placed.run(), world.plane().origin(), clock, goals, elsewhere),
-        launch -> {});
+        clock -> {
+          tellMisplaced(placed, from);
+          return new EstimateScorer(placed.run(), world.plane().origin(), clock, goals, elsewhere);
+        },
+        launch -> options = launch);
+  }
+
+  /** Says where the State Estimator's configuration does not fit the vehicle. */
+  private void tellMisplaced(VehicleTrial placed, Geodetic start) {
+    SystemFile.read(systemFile).services().stream()
+        .filter(entry -> entry.className().equals(FusingStateEstimator.class.getName()))
+        .map(entry -> new StatedPlacement(options.configuration(entry)))
+        .flatMap(stated -> stated.differences(placed.devices().mounted(), start).stream())
+        .forEach(frame.terminal().out()::println);
   }
 
   private boolean hasService(Class<?> service) {

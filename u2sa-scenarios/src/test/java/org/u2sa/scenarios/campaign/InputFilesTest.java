@@ -5,7 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.SortedMap;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -32,6 +34,9 @@ class InputFilesTest {
     write("out/mission.xml", "");
   }
 
+  private Map<String, String> environment = Map.of();
+  private List<String> more = List.of();
+
   private void write(String name, String text) throws IOException {
     Path file = directory.resolve(name);
     Files.createDirectories(file.getParent());
@@ -39,7 +44,8 @@ class InputFilesTest {
   }
 
   private SortedMap<String, String> inputs() {
-    List<String> words =
+    List<String> words = new ArrayList<>(more);
+    words.addAll(
         List.of(
             "simulate",
             directory.resolve("rover/system.xml").toString(),
@@ -49,8 +55,8 @@ class InputFilesTest {
             "12",
             "--x=" + directory.resolve("out/mission.xml"),
             "/",
-            "\u0000");
-    return InputFiles.of(words, directory.resolve("home"), directory.resolve("out"));
+            "\u0000"));
+    return InputFiles.of(words, directory.resolve("home"), directory.resolve("out"), environment);
   }
 
   @Test
@@ -68,6 +74,35 @@ class InputFilesTest {
             "rover/models/buoy/mesh.dae",
             "data/h.asc",
             "worlds/pond.xml");
+  }
+
+  @Test
+  void of_worldWithModelsOfGazebosVariables_countsTheirFiles() throws IOException {
+    write("worlds/pond.xml", "<uri>model://dock</uri><uri>https://fuel/models/Oak</uri>");
+    write("gazebo/dock/mesh.dae", "1");
+    write("gazebo/Oak/model.sdf", "1");
+    write("gazebo/other/model.sdf", "1");
+    environment = Map.of("GZ_SIM_RESOURCE_PATH", directory.resolve("gazebo").toString());
+    assertThat(inputs().keySet())
+        .contains(
+            directory.resolve("gazebo/dock/mesh.dae").toString(),
+            directory.resolve("gazebo/Oak/model.sdf").toString())
+        .doesNotContain(directory.resolve("gazebo/other/model.sdf").toString());
+  }
+
+  @Test
+  void of_mapThatRunsWrite_isNoInputButOneThatTheyReadIs() throws IOException {
+    write("rover/saved.map", "1");
+    write("rover/read.map", "1");
+    write(
+        "rover/beside.xml",
+        "<variable name=\"SAVE MAP\" value=\"saved.map\"/><variable name=\"MAP\" value=\"read.map\"/>");
+    write("swept.map", "1");
+    more = List.of("--set", "WorldModeler:SAVE MAP=" + directory.resolve("swept.map"));
+    assertThat(inputs().keySet())
+        .contains(directory.resolve("rover/read.map").toString())
+        .doesNotContain(directory.resolve("rover/saved.map").toString())
+        .doesNotContain(directory.resolve("swept.map").toString());
   }
 
   @ParameterizedTest

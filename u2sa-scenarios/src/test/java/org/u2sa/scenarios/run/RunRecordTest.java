@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -18,6 +19,7 @@ import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.mission.MissionAction;
 import org.u2sa.messages.mission.MissionOrder;
+import org.u2sa.messages.mission.MissionOrderResult;
 import org.u2sa.report.score.Domain;
 import org.u2sa.report.score.RunOutcome;
 import org.u2sa.report.score.RunPlan;
@@ -83,6 +85,53 @@ class RunRecordTest {
 
   private void update(String goals) {
     record.received(new MissionOrder().requestId("1").action(MissionAction.UPDATE).goals(goals));
+  }
+
+  private static Waypoint waypoint(double latitudeDeg, double thresholdM) {
+    Waypoint at = new Waypoint().uid("b");
+    at.referenceFrame(ReferenceFrame.GLOBAL).x(0.0).y(latitudeDeg).horizontalThreshold(thresholdM);
+    return at;
+  }
+
+  @Test
+  void plan_thresholdChangedByAnOrder_isJudgedByTheNewOne() {
+    crossTrackM(waypoint(0.01, 101.0));
+    update(
+        "<mission><waypoint><name>b</name><horizontalThreshold>5</horizontalThreshold></waypoint></mission>");
+    crossTrackM(waypoint(0.01, 5.0));
+    crossTrackM(0.0099); // 15 m off
+    assertThat(resultOfB().captured()).isFalse();
+
+    crossTrackM(0.01);
+    assertThat(resultOfB().captured()).isFalse(); // 10 m off
+
+    update(
+        "<mission><waypoint><name>b</name><horizontalThreshold>12</horizontalThreshold></waypoint></mission>");
+    crossTrackM(waypoint(0.01, 12.0));
+    crossTrackM(0.01);
+    assertThat(resultOfB().captured()).isTrue();
+  }
+
+  @Test
+  void goals_missionReplacedInFlight_areTheNewOnesAndThoseDone() {
+    Set<String> planned = Set.of("a", "b");
+    record.received(new Waypoint().uid("a").completed(true));
+    MissionOrder order = new MissionOrder().requestId("7").action(MissionAction.REPLACE);
+    record.received(order.goals("<mission><waypoint><name>c</name></waypoint></mission>"));
+    assertThat(record.goals(planned)).isEqualTo(planned);
+
+    record.received(new MissionOrderResult().requestId("7").accepted(true));
+    assertThat(record.goals(planned)).containsExactly("a", "c");
+    assertThat(record.leftOut()).containsExactly("b");
+  }
+
+  @Test
+  void goals_replacementRefused_areThoseOfThePlan() {
+    MissionOrder order = new MissionOrder().requestId("7").action(MissionAction.REPLACE);
+    record.received(order.goals("<mission><waypoint><name>c</name></waypoint></mission>"));
+    record.received(new MissionOrderResult().requestId("7").accepted(false));
+    assertThat(record.goals(Set.of("a"))).containsExactly("a");
+    assertThat(record.leftOut()).isEmpty();
   }
 
   private WaypointResult resultOfB() {

@@ -396,8 +396,15 @@ class SimulateTest {
   void simulate_wrongAltitude_countsInErrorAndConsistency() throws IOException, URISyntaxException {
     project("wing");
     simulate("sound", "--summary-only");
-    simulate(
-        "wrong", "--summary-only", "--set", "FusingStateEstimator:LEVER ARMS=GpsSensor = 0 0 -0.6");
+    CommandLineRun wrong =
+        simulate(
+            "wrong",
+            "--summary-only",
+            "--set",
+            "FusingStateEstimator:LEVER ARMS=GpsSensor = 0 0 -0.6");
+
+    assertThat(wrong.out())
+        .contains("LEVER ARMS has GpsSensor at 0.00 0.00 -0.60, but the vehicle has it at 0.00");
 
     assertThat(summary("sound").get("altitudeErrorMaxM").asDouble()).isBetween(0.001, 0.2);
     assertThat(summary("wrong").get("altitudeErrorMaxM").asDouble()).isBetween(0.5, 0.9);

@@ -3,6 +3,7 @@ package org.u2sa.sim.file;
 import java.util.Map;
 import java.util.Optional;
 import org.u2sa.device.port.Device;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.device.SimulatedDevice;
 
 /**
@@ -16,6 +17,7 @@ import org.u2sa.sim.device.SimulatedDevice;
  * @param lost fraction of lost readings, 0…1
  * @param failsAtS time of the vehicle at which it fails permanently [s]; infinite for never
  * @param variables values of the services' variables that the sensor determines
+ * @param place its position, if State Estimators need to know it: forward, right, down [m]
  * @param maker creates the device
  */
 record SensorEntry(
@@ -26,6 +28,7 @@ record SensorEntry(
     double lost,
     double failsAtS,
     Map<String, Double> variables,
+    Point place,
     Maker maker) {
   /** Creates a device for a vehicle. */
   @FunctionalInterface

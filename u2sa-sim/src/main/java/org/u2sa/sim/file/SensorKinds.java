@@ -29,6 +29,7 @@ import org.u2sa.device.port.TrackingRadar;
 import org.u2sa.device.port.TrafficReceiver;
 import org.u2sa.device.port.VelocityLog;
 import org.u2sa.device.port.WheelEncoder;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.file.element.FileElement;
 
 /** The kinds of sensors in vehicle files, one for each port of devices. */
@@ -37,8 +38,13 @@ final class SensorKinds {
    * A sensor as read by its kind.
    *
    * @param variables values of the services' variables that it determines
+   * @param place its position, if State Estimators need to know it: forward, right, down [m]
    */
-  record Reader(Map<String, Double> variables, SensorEntry.Maker maker) {
+  record Reader(Map<String, Double> variables, Point place, SensorEntry.Maker maker) {
+    Reader(Map<String, Double> variables, SensorEntry.Maker maker) {
+      this(variables, Point.ORIGIN, maker);
+    }
+
     Reader(SensorEntry.Maker maker) {
       this(Map.of(), maker);
     }
@@ -124,6 +130,14 @@ final class SensorKinds {
     }
     sensor.end();
     return new SensorEntry(
-        sensor.xml().name(), kind.port, service, delay, lost, failsAt, variables, reader.maker());
+        sensor.xml().name(),
+        kind.port,
+        service,
+        delay,
+        lost,
+        failsAt,
+        variables,
+        reader.place(),
+        reader.maker());
   }
 }

@@ -51,6 +51,7 @@ final class StateSensors {
     Mount mount = Mount.place(file);
     return new SensorKinds.Reader(
         Map.of("DELAY", parameters.latencyS()),
+        mount.place(),
         vehicle ->
             new SimulatedGps(
                 parameters,
@@ -128,6 +129,8 @@ final class StateSensors {
             file.number("forceBias", "m/s^2", 0.0, 100.0));
     Mount mount = Mount.place(file);
     return new SensorKinds.Reader(
+        Map.of(),
+        mount.place(),
         vehicle -> {
           Supplier<VehicleTruth> own = vehicle.at(mount);
           return new SimulatedImu(
@@ -219,6 +222,7 @@ final class StateSensors {
     Mount mount = Mount.place(file);
     return new SensorKinds.Reader(
         Map.of("DELAY", errors.latencyS()),
+        mount.place(),
         vehicle ->
             new SimulatedVelocityLog(
                 errors,

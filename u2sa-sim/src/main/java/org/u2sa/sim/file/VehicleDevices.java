@@ -16,6 +16,7 @@ import org.u2sa.device.port.Thruster;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.sim.device.SimulatedMotors;
 import org.u2sa.sim.device.SimulatedTraffic;
@@ -45,6 +46,7 @@ public final class VehicleDevices implements ServiceContext.DeviceSource {
   private final long seed;
   private Supplier<List<SimulatedTraffic.Other>> traffic = List::of;
   private final Map<String, SimulatedSwitch> switches = new ConcurrentHashMap<>(); // by service
+  private final Map<String, Point> mounted = new ConcurrentHashMap<>(); // by service
   private final Map<String, NoiseStreams> noise = new HashMap<>(); // by service
 
   /**
@@ -118,12 +120,21 @@ public final class VehicleDevices implements ServiceContext.DeviceSource {
     for (Map.Entry<String, Double> each : entry.variables().entrySet()) {
       unlessStated(service, each.getKey(), each.getValue());
     }
+    mounted.put(name, entry.place());
     Device<?> device =
         entry.make(Aboard.of(run, clock::micros, () -> traffic.get(), streams(name)));
     if (device instanceof SimulatedSwitch output) {
       switches.put(name, output);
     }
     return device;
+  }
+
+  /**
+   * Positions on the vehicle of the services' receivers, IMUs and velocity logs, by service:
+   * forward, right, down [m]. Thread-safe.
+   */
+  public Map<String, Point> mounted() {
+    return Map.copyOf(mounted);
   }
 
   /** Level of a service's switched payload [%]; 0 if it has none. Thread-safe. */

@@ -16,7 +16,7 @@ import org.u2sa.interfaces.xml.XmlElement;
  * base name for models on a server, because nothing is downloaded. Files outside the folders of the
  * world and of Gazebo's variables are not read, not even through links in these folders.
  */
-final class SdfResources {
+public final class SdfResources {
   private static final String MODEL = "model://";
   private static final List<String> VARIABLES =
       List.of("GZ_SIM_RESOURCE_PATH", "GAZEBO_MODEL_PATH", "SDF_PATH");
@@ -34,13 +34,20 @@ final class SdfResources {
     if (folder.getParent() != null) {
       add(folder.getParent().resolve("models"));
     }
+    folders(environment).forEach(this::add);
+  }
+
+  /** The folders that Gazebo's variables name, which may be absent. */
+  public static List<Path> folders(Map<String, String> environment) {
+    List<Path> folders = new ArrayList<>();
     for (String variable : VARIABLES) {
       for (String each : environment.getOrDefault(variable, "").split(":")) {
         if (!each.isEmpty()) {
-          add(Paths.get(each).toAbsolutePath().normalize());
+          folders.add(Paths.get(each).toAbsolutePath().normalize());
         }
       }
     }
+    return folders;
   }
 
   private void add(Path folder) {

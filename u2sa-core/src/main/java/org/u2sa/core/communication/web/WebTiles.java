@@ -8,7 +8,6 @@ import io.netty.handler.codec.http.HttpResponseStatus;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Arrays;
@@ -19,6 +18,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.disk.DiskThread;
+import org.u2sa.interfaces.disk.RegularFile;
 
 /**
  * A file of map tiles (PMTiles, version 3); the page reads one range per request. Like the page
@@ -63,9 +63,12 @@ public final class WebTiles {
   }
 
   static WebTiles open(Path path, DiskThread disk) {
-    if (!Files.isRegularFile(path)) {
-      throw new BadInputException("WEB TILES: " + path + ": no such file; expected PMTiles");
-    }
+    RegularFile.problem(path)
+        .ifPresent(
+            what -> {
+              throw new BadInputException(
+                  "WEB TILES: " + path + ": " + what + "; expected PMTiles");
+            });
     try {
       FileChannel file = FileChannel.open(path, StandardOpenOption.READ);
       ByteBuffer start = ByteBuffer.allocate(MAGIC.length);
