@@ -65,12 +65,16 @@ record FusionVariables(
         double flowSigma,
     @Variable(min = -1, max = 0.5, ifAbsent = -1)
         @Description(
-            "Scale error of speeds along the vehicle, 1 sigma, which the filter estimates; 0: none; -1: 0.03 for GROUND, otherwise none.")
+            "Scale error of speeds along the vehicle, 1 sigma, which the filter estimates; 0: none; -1: 0.03 for GROUND, 0.02 for WATER and UNDERWATER, otherwise none.")
         double wheelScaleSigma,
     @Variable(unit = "m/s", min = -1, max = 1, ifAbsent = -1)
         @Description(
             "Constant error of speeds over ground measured along the vehicle, such as a velocity log's, 1 sigma of each component, which the filter estimates; 0: none; -1: 0.02 m/s for WATER, 0.002 m/s for UNDERWATER, otherwise none.")
         double speedBiasSigma,
+    @Variable(unit = "deg", min = -1, max = 45, ifAbsent = -1)
+        @Description(
+            "Error of a velocity log's mounting about the vertical, 1 sigma, which the filter estimates; 0: none; -1: 2 deg for WATER and UNDERWATER, otherwise none.")
+        double logYawSigma,
     @Variable(min = 2, max = 20, ifAbsent = 4)
         @Description("Gate, in standard deviations, beyond which a measurement is rejected.")
         double gate,
@@ -179,6 +183,7 @@ record FusionVariables(
         flowSigma,
         wheelScaleSigma < 0.0 ? usual.wheelScaleSigma() : wheelScaleSigma,
         speedBiasSigma < 0.0 ? usual.speedBiasSigma() : speedBiasSigma,
+        logYawSigma < 0.0 ? usual.logYawSigmaRad() : Math.toRadians(logYawSigma),
         gate,
         usual.window(),
         positionCorrelation,

@@ -26,6 +26,7 @@ final class Alignment {
     for (int i = 0; i < 3; i++) {
       s.isolate(FilterState.SPEED_BIAS + i, square(tuning.speedBiasSigma()));
     }
+    s.isolate(FilterState.LOG_YAW, square(tuning.logYawSigmaRad()));
   }
 
   /** Resets the wheel-speed scale to its initial uncertainty. */
@@ -48,6 +49,7 @@ final class Alignment {
 
   static void altitude(FilterState s, double metres, double variance) {
     s.x[FilterState.ALTITUDE] = metres;
+    s.x[FilterState.ALTITUDE_ERROR] = 0.0;
     s.hasAltitude = true;
     s.isolate(FilterState.POSITION + 2, variance);
   }

@@ -48,7 +48,7 @@ public final class Estimate {
 
   /** Whether the altitude is known well enough. */
   public boolean hasAltitude() {
-    return s.hasAltitude && positionSigmaM(2) <= tuning.lostSigmaM();
+    return s.hasAltitude && sigma(FilterState.POSITION + 2) <= tuning.lostSigmaM();
   }
 
   /** Whether the heading is known. */
@@ -93,7 +93,9 @@ public final class Estimate {
 
   /** Standard deviation of the position, north, east or down [m]. */
   public double positionSigmaM(int axis) {
-    return sigma(FilterState.POSITION + axis);
+    double sigma = sigma(FilterState.POSITION + axis);
+    double lacks = axis == 2 ? s.x[FilterState.ALTITUDE_ERROR] : 0.0;
+    return lacks > 0.0 ? Math.sqrt(sigma * sigma + lacks) : sigma;
   }
 
   /** Velocity north, east or down [m/s]. */

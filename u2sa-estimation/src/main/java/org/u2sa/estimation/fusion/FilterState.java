@@ -7,12 +7,13 @@ import org.ejml.data.DMatrixRMaj;
  * Nominal state, error covariance and source statistics at one time. Flat arrays, so that a state
  * is saved and restored by copying them.
  *
- * <p>Error state, 36 numbers: position (north, east, down [m]), velocity (the same axes [m/s]),
+ * <p>Error state, 37 numbers: position (north, east, down [m]), velocity (the same axes [m/s]),
  * attitude (a small rotation about north, east and down [rad]: Solà 2017, section 7, global angular
  * errors), gyroscope bias [rad/s], accelerometer bias [m/s²] and angular rate [rad/s] (each along
  * BODY_FRD), wind or current (north, east [m/s]), wheel-speed scale, {@link PersistentErrors} of
  * sources (positions, north and east [m]; headings [rad]), {@link DelayErrors} of position sources
- * [s], constant error of speeds over ground measured along BODY_FRD [m/s].
+ * [s], constant error of speeds over ground measured along BODY_FRD [m/s], heading at which a
+ * velocity log is mounted [rad].
  *
  * <p>The nominal position is geodetic, in double precision, once a source provides one. Error
  * vectors are along north, east and down at the vehicle itself, so there is no tangent plane with a
@@ -24,7 +25,7 @@ final class FilterState {
   static final int PERSISTENT_SLOTS = POSITION_SOURCES + HEADING_SOURCES;
   static final int PERSISTENT_STATES = 2 * POSITION_SOURCES + HEADING_SOURCES;
   static final int DELAY_SLOTS = 3; // position sources with an estimated delay
-  static final int N = 21 + PERSISTENT_STATES + DELAY_SLOTS + 3;
+  static final int N = 21 + PERSISTENT_STATES + DELAY_SLOTS + 4;
   static final int NO_SOURCE = -1;
   static final int RESUMED = -2; // unknown source with known biases
   static final int POSITION = 0;
@@ -38,6 +39,7 @@ final class FilterState {
   static final int PERSISTENT = 21;
   static final int DELAY = PERSISTENT + PERSISTENT_STATES;
   static final int SPEED_BIAS = DELAY + DELAY_SLOTS;
+  static final int LOG_YAW = SPEED_BIAS + 3;
 
   // Nominal state: indices into x.
   static final int LATITUDE = 0; // rad
@@ -64,7 +66,9 @@ final class FilterState {
   static final int STEADY_V = DELAYS + DELAY_SLOTS; // velocity before a change: north, east [m/s]
   static final int SLOPE = STEADY_V + 2; // sine of the pitch to which the wheel scale belongs
   static final int SPEED_ERROR = SLOPE + 1; // three axes
-  private static final int SIZE = SPEED_ERROR + 3;
+  static final int ALTITUDE_ERROR = SPEED_ERROR + 3; // variance that P lacks, see SourceTrust [m²]
+  static final int LOG_TURN = ALTITUDE_ERROR + 1; // of a velocity log, clockwise [rad]
+  private static final int SIZE = LOG_TURN + 1;
 
   private static final double A = 6_378_137.0; // semi-major axis [m], WGS-84 (NIMA TR8350.2)
   private static final double E2 = 6.694379990141316e-3; // first eccentricity squared
@@ -75,7 +79,7 @@ final class FilterState {
   final double[] x = new double[SIZE];
   final DMatrixRMaj p = new DMatrixRMaj(N, N);
   final double[] search = new double[17]; // HeadingSearch's numbers
-  final double[] sightings = new double[36]; // three numbers per landmark, see PersistentErrors
+  final double[] sightings = new double[36]; // see RepeatedSightings
   double[] trust = new double[0]; // SourceTrust's numbers
   long micros;
   boolean isStarted;

@@ -18,6 +18,8 @@ package org.u2sa.estimation.fusion;
  * @param wheelScaleSigma initial error of the wheel-speed scale, 1 σ; 0: not estimated
  * @param speedBiasSigma constant error of speeds over ground measured along the vehicle, 1 σ per
  *     component [m/s]; 0: not estimated
+ * @param logYawSigmaRad error of a velocity log's mounting about the vertical, 1 σ [rad]; 0: not
+ *     estimated
  * @param gate number of standard deviations beyond which a measurement is gated
  * @param window number of measurements over which a source's actual standard deviation is learned
  * @param positionCorrelationS correlation time of position errors [s]; 0: independent errors
@@ -42,6 +44,7 @@ public record FilterTuning(
     double flowSigma,
     double wheelScaleSigma,
     double speedBiasSigma,
+    double logYawSigmaRad,
     double gate,
     int window,
     double positionCorrelationS,
@@ -70,8 +73,9 @@ public record FilterTuning(
         0.2,
         1e-3,
         5.0,
-        isGround ? 0.03 : 0.0,
+        isGround ? 0.03 : domain.isInWater() ? 0.02 : 0.0,
         domain.speedBiasSigmaMps,
+        domain.isInWater() ? Math.toRadians(2.0) : 0.0,
         4.0,
         100,
         30.0,

@@ -1,6 +1,7 @@
 package org.u2sa.estimation.fusion;
 
 import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.measurement.RepeatedSightings;
 import org.u2sa.estimation.measurement.SensedQuantity;
 
 /**
@@ -175,13 +176,16 @@ final class Fuser {
       s.trust[at + SourceTrust.GATED]++;
       return;
     }
-    trust.learn(s, at, linear, update.expected);
+    boolean isLog = quantity == SensedQuantity.BODY_VELOCITY && tuning.domain().isInWater();
+    trust.learn(s, at, linear, update.expected, isLog);
     SourceTrust.notedNis(s, at, nis);
     double runs = runs(s, source, quantity, isGauge);
     if (runs > 1.0) {
       nis = update.weigh(linear, factor * runs);
     }
-    if (SpeedDoubt.isOfSpeed(quantity) && doubts.holds(s, linear, source, at)) {
+    double wanderRate = persistent.wanderRate(s, slot);
+    if (SpeedDoubt.isOfSpeed(quantity) && doubts.holds(s, linear, source, at)
+        || quantity.isPlace() && doubts.isLeftOut(s, m, linear, source, at, wanderRate)) {
       return;
     }
     if (nis > gates[linear.rows]) {
@@ -197,7 +201,6 @@ final class Fuser {
       }
       boolean isAlone = !judge.isCorroborated(s, source, quantity);
       boolean isJump = false;
-      double wanderRate = persistent.wanderRate(s, slot);
       boolean isPosition = quantity.isPlace();
       if (isAlone && (isPosition || SpeedDoubt.isOfSpeed(quantity))) {
         supposeAcceleration(s, source);
@@ -220,7 +223,12 @@ final class Fuser {
         starts.reset(s, m, quantity, at, slot);
         DelayErrors.share(s, delay);
       }
-    } else if (SourceJudge.passes(s, at)) {
+      return;
+    }
+    if (isLog) {
+      SourceTrust.countOutliers(s.trust, at);
+    }
+    if (SourceJudge.passes(s, at)) {
       if (isInput) {
         motion.take(s, m, source, quantity, linear, factor);
         count(s, at, SourceTrust.USED);
@@ -304,9 +312,15 @@ final class Fuser {
       update.weigh(linear, SourceTrust.factor(s, at) * runs * repeats);
     }
     if (quantity == SensedQuantity.LANDMARK) {
-      update.weigh(linear, SourceTrust.factor(s, at) * PersistentErrors.repeatsOfSighting(s, m));
+      update.weigh(linear, SourceTrust.factor(s, at) * RepeatedSightings.factor(s.sightings, m));
     }
     update.apply(s, linear);
+    if (quantity == SensedQuantity.ALTITUDE || quantity == SensedQuantity.LOCAL_DOWN) {
+      boolean isPressure = !m.has(SensedQuantity.PLACE) && !m.has(SensedQuantity.LOCAL_PLACE);
+      boolean isPersistent = isPressure || tuning.positionCorrelationS() > 0.0;
+      double sigma = m.sigma(quantity, 0);
+      trust.claim(s, at, isPersistent ? sigma * sigma : 0.0, tuning.resetAfterS() * MICROS);
+    }
     count(s, at, SourceTrust.USED);
     used(s, m, quantity);
   }

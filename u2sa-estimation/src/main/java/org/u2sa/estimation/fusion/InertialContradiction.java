@@ -43,7 +43,8 @@ final class InertialContradiction {
       if (isOfMotion(quantity) && trust.isKnown(source, quantity)) {
         int at = trust.of(s, source, quantity);
         boolean isRecent = isRecent(s, s.trust[at + SourceTrust.STREAK_SINCE]);
-        if (isRecent && s.trust[at + SourceTrust.STREAK] >= MIN_STREAK) {
+        boolean isLeftOut = quantity.isPlace() && s.trust[at + SourceTrust.IS_BIASED] != 0.0;
+        if (isRecent && !isLeftOut && s.trust[at + SourceTrust.STREAK] >= MIN_STREAK) {
           return true;
         }
       }

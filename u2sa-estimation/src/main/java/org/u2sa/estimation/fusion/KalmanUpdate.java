@@ -215,6 +215,7 @@ final class KalmanUpdate {
     x[FilterState.FLOW_NORTH] += dx[FilterState.FLOW];
     x[FilterState.FLOW_NORTH + 1] += dx[FilterState.FLOW + 1];
     x[FilterState.WHEEL_SCALE] += dx[FilterState.SCALE];
+    x[FilterState.LOG_TURN] += dx[FilterState.LOG_YAW];
     for (int i = 0; i < FilterState.PERSISTENT_STATES; i++) {
       x[FilterState.PERSISTENT_ERRORS + i] += dx[FilterState.PERSISTENT + i];
     }

@@ -157,15 +157,34 @@ final class MeasurementModel {
     }
   }
 
+  /** Turns the vehicle's axes in r to those of a log mounted at an angle, clockwise [rad]. */
+  private void turnLog(double rad) {
+    double cos = StrictMath.cos(rad);
+    double sin = StrictMath.sin(rad);
+    for (int i = 0; i < 9; i += 3) {
+      double forward = r[i];
+      r[i] = cos * forward + sin * r[i + 1];
+      r[i + 1] = cos * r[i + 1] - sin * forward;
+    }
+  }
+
   private void vehicleVelocity(
       FilterState s, Measurement m, SensedQuantity quantity, boolean throughFluid) {
     along(s, throughFluid);
+    boolean isLog = !throughFluid && s.variance(FilterState.LOG_YAW) > 0.0;
+    if (isLog) {
+      turnLog(s.x[FilterState.LOG_TURN]);
+    }
     for (int axis = 0; axis < 3; axis++) {
       if (m.has(quantity, axis)) {
         vehicleRow(s, axis, throughFluid);
         linear.row(m.value(quantity, axis), predictedAlong(axis), m.sigma(quantity, axis));
         lever.bodyVelocity(s, linear, axis);
-        if (!throughFluid && axis == 0 && s.variance(FilterState.SCALE) > 0.0) {
+        if (isLog && axis < 2) {
+          linear.setLast(FilterState.LOG_YAW, axis == 0 ? predictedAlong(1) : -predictedAlong(0));
+        }
+        boolean isScaled = !throughFluid && (axis == 0 || isLog && axis == 1);
+        if (isScaled && s.variance(FilterState.SCALE) > 0.0) {
           linear.scale(1.0 + s.x[FilterState.WHEEL_SCALE], FilterState.SCALE);
         }
         // horizontally, an error through the fluid is indistinguishable from its flow

@@ -46,4 +46,9 @@ public enum MotionDomain {
     this.tiltSigmaRad = tiltSigmaRad;
     this.speedBiasSigmaMps = speedBiasSigmaMps;
   }
+
+  /** Whether speeds over ground come from a velocity log rather than from wheels. */
+  boolean isInWater() {
+    return this == WATER || this == UNDERWATER;
+  }
 }

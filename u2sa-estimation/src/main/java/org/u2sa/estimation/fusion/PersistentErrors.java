@@ -1,6 +1,7 @@
 package org.u2sa.estimation.fusion;
 
 import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.measurement.PositionGrid;
 import org.u2sa.estimation.measurement.SensedQuantity;
 
 /**
@@ -35,9 +36,7 @@ final class PersistentErrors {
   /** Factor on the white variance that makes all of the claimed error white. */
   static final double ALL_WHITE = 1.0 / NEW_VARIANCE;
 
-  private static final double SIGHTINGS_S = 0.5; // correlation time
-  private static final double MIN_SIGHTING_S = 0.05;
-  private static final int SIGHTING_SIZE = 3; // two coordinates and a time
+  private static final double UNIFORM = 12.0; // inverse variance of the uniform distribution
 
   private final double positionS;
   private final double headingS;
@@ -86,6 +85,9 @@ final class PersistentErrors {
         if (isPosition(slot) && !isFree) {
           learn(s, slot, at);
         }
+        if (isPosition(slot)) {
+          widen(s, m, slot, at);
+        }
         note(s, m, quantity, slot, Math.max(1.0, s.trust[at + SourceTrust.WANDER]));
         if (isFree || isOutgrown(s, slot)) {
           s.persistentSource[slot] = source;
@@ -95,6 +97,34 @@ final class PersistentErrors {
       }
     }
     return NONE;
+  }
+
+  /** Makes errors and position as uncertain as the rounding of the source's coordinates. */
+  private static void widen(FilterState s, Measurement m, int slot, int at) {
+    double rounded = 0.0;
+    double claim = 0.0;
+    for (int i = 0; i < 2; i++) {
+      if (m.has(SensedQuantity.PLACE, i)) {
+        int grid = at + SourceTrust.GRID + i * PositionGrid.SIZE;
+        double step = PositionGrid.step(s.trust, grid, m.value(SensedQuantity.PLACE, i));
+        double metres = step * (i == 0 ? s.northRadiusM() : s.axisDistanceM());
+        rounded = Math.max(rounded, metres * metres / UNIFORM);
+        claim = Math.max(claim, m.sigma(SensedQuantity.PLACE, i));
+      }
+    }
+    double known = claim * claim * Math.max(1.0, s.trust[at + SourceTrust.WANDER]);
+    if (rounded > known) {
+      s.trust[at + SourceTrust.WANDER] = rounded / (claim * claim);
+      unsettle(s, slot, rounded - known);
+    }
+  }
+
+  /** Adds a variance to both position and error. */
+  private static void unsettle(FilterState s, int slot, double variance) {
+    for (int i = 0; i < 2; i++) {
+      s.p.data[(FilterState.POSITION + i) * (FilterState.N + 1)] += variance;
+      s.p.data[(FilterState.PERSISTENT + first(slot) + i) * (FilterState.N + 1)] += variance;
+    }
   }
 
   /** Learns E(b² + P) of the error state, as a multiple of the claimed variance. */
@@ -131,10 +161,7 @@ final class PersistentErrors {
     double claimed = s.x[FilterState.PERSISTENT_VARIANCE + slot] / known;
     s.trust[at + SourceTrust.WANDER] = Math.max(known, by / claimed);
     s.trust[at + SourceTrust.STREAK] = 0.0;
-    for (int i = 0; i < 2; i++) {
-      s.p.data[(FilterState.POSITION + i) * (FilterState.N + 1)] += by;
-      s.p.data[(FilterState.PERSISTENT + first(slot) + i) * (FilterState.N + 1)] += by;
-    }
+    unsettle(s, slot, by);
   }
 
   private static void note(
@@ -228,29 +255,5 @@ final class PersistentErrors {
         }
       }
     }
-  }
-
-  /**
-   * Records the sighting of a landmark; returns the factor on its variances. Repeated sightings
-   * from nearly the same position have nearly the same error: such errors carry as much information
-   * as independent ones every two correlation times (Brown and Hwang, 3rd ed., section 5.3). On the
-   * ten robots of UTIAS MRCLAM 6 and 7, 83 % of the errors lie within 3 standard deviations if
-   * sightings are treated as independent, and 96 % with a correlation time of half a second.
-   */
-  static double repeatsOfSighting(FilterState s, Measurement m) {
-    double[] seen = s.sightings;
-    int oldest = 0;
-    for (int at = 0; at < seen.length; at += SIGHTING_SIZE) {
-      if (seen[at] == m.landmark(0) && seen[at + 1] == m.landmark(1) && seen[at + 2] > 0.0) {
-        double since = Math.max(MIN_SIGHTING_S, (m.micros() - seen[at + 2]) * 1e-6);
-        seen[at + 2] = m.micros();
-        return 1.0 + 2.0 * SIGHTINGS_S / since;
-      }
-      oldest = seen[at + 2] < seen[oldest + 2] ? at : oldest;
-    }
-    seen[oldest] = m.landmark(0);
-    seen[oldest + 1] = m.landmark(1);
-    seen[oldest + 2] = m.micros();
-    return 1.0;
   }
 }

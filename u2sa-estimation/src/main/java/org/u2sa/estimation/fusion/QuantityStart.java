@@ -168,6 +168,10 @@ final class QuantityStart {
       for (int i = 0; i < model.rows; i++) {
         t[at + SourceTrust.OFFSET + i] = isElsewhere ? model.innovation[i] : 0.0;
       }
+      if (quantity == SensedQuantity.LOCAL_DOWN) {
+        t[at + SourceTrust.ALIGNED] =
+            s.variance(FilterState.POSITION + 2) + s.x[FilterState.ALTITUDE_ERROR];
+      }
       t[at + SourceTrust.HAS_OFFSET] = 1.0;
     }
     for (int i = 0; i < model.rows; i++) {

@@ -12,6 +12,7 @@ public final class SourceReports {
   private static final double INTERVALS = 5.0;
   private static final double SILENT_AFTER_S = 1.0;
   private static final double GATED_STREAK = 3.0;
+  private static final double OUTLIERS = 0.05; // fraction of vectors
 
   /** Status of a source: the worst of its quantities. */
   public enum Standing {
@@ -19,7 +20,7 @@ public final class SourceReports {
     USED,
     /** None of its measurements can be used yet, or at all. */
     UNUSED,
-    /** Its newest measurements contradict the estimate. */
+    /** Its newest measurements contradict the estimate, or many single ones of a velocity log. */
     GATED,
     /** The source contradicts other sources, always in the same direction. */
     BIASED,
@@ -106,7 +107,7 @@ public final class SourceReports {
     if (t[at + SourceTrust.IS_BIASED] != 0.0) {
       return Standing.BIASED;
     }
-    if (t[at + SourceTrust.STREAK] >= GATED_STREAK) {
+    if (t[at + SourceTrust.STREAK] >= GATED_STREAK || t[at + SourceTrust.OUTLIERS] > OUTLIERS) {
       return Standing.GATED;
     }
     double sinceS = (s.micros - t[at + SourceTrust.LAST_USED]) * 1e-6;

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.measurement.PositionGrid;
 import org.u2sa.estimation.measurement.SensedQuantity;
 
 /**
@@ -59,14 +60,22 @@ final class SourceTrust {
   static final int STREAK_NEWEST = 36; // newest innovation of the streak: two
   static final int STREAK_JUMP = 38; // largest change between consecutive ones
   static final int STREAK_STEPS2 = 39; // sum of the squared changes
-  private static final int QUANTITY_SIZE = 40;
+  static final int CLAIM = 40; // claimed variance of an altitude's persistent error [m²]
+  static final int ALIGNED = 41; // variance of the altitude that a local frame was aligned with
+  static final int OUTLIERS = 42; // fraction of lone vectors beyond the gate, running mean
+  static final int GRID = 43; // of its coordinates, see PositionGrid: two
+  private static final int QUANTITY_SIZE = GRID + 2 * PositionGrid.SIZE;
 
+  private static final double OUTLIER_MEMORY = 100.0; // vectors
   private static final double PRIOR = 10.0; // weight of the claim, in innovations
   private static final double LARGEST = 25.0; // cap of one innovation, as a multiple of variance
+  private static final double ROBUST = 3.0; // the same for sources with outliers
+  private static final double ROBUST_MEAN = 0.858; // of a χ² of one degree of freedom, thus capped
   private static final double NOTEWORTHY = 1.4; // a smaller factor may be due to chance
   private static final double HIGHEST = 1e6;
   static final double FORGIVEN = 0.998; // decay of distrust per measurement used
   private static final double MEAN_SHARE = 0.05;
+  private static final double MAX_ALONE = 2.0; // consecutive outliers; more contradict the estimate
 
   private final int window;
   private final List<String> names = new ArrayList<>();
@@ -165,9 +174,13 @@ final class SourceTrust {
    * Learns from an innovation.
    *
    * @param expected variance of each component due to the state's uncertainty
+   * @param hasOutliers whether up to a seventh of the vectors may be wrong: they are rejected, so
+   *     they must not count as scatter of the others
    */
-  void learn(FilterState s, int at, Linearization model, double[] expected) {
+  void learn(FilterState s, int at, Linearization model, double[] expected, boolean hasOutliers) {
     double[] t = s.trust;
+    double cap = hasOutliers ? ROBUST : LARGEST;
+    double mean = hasOutliers ? ROBUST_MEAN : 1.0;
     if (t[at + LEARNT] == 0.0) {
       t[at + FACTOR] = 1.0;
       t[at + LEARNT] = PRIOR;
@@ -180,7 +193,7 @@ final class SourceTrust {
       double inClaims = model.innovation[i] / Math.sqrt(model.variance[i]);
       double step = inClaims - t[at + PREVIOUS + i];
       double own = wasRefused ? 0.0 : expected[i] / model.variance[i];
-      sum += Math.min(step * step / 2.0 - own, LARGEST * Math.max(1.0, t[at + FACTOR]));
+      sum += Math.min(step * step / 2.0 - own, cap * Math.max(1.0, t[at + FACTOR])) / mean;
       ofState += own / model.rows;
       t[at + PREVIOUS + i] = inClaims;
     }
@@ -194,6 +207,37 @@ final class SourceTrust {
       t[at + FACTOR] += weight * (sum / model.rows - t[at + FACTOR]) / t[at + LEARNT];
       t[at + FACTOR] = Math.max(0.01, t[at + FACTOR]);
     }
+  }
+
+  /** Records a vector within the gate, and how many directly before it were beyond. */
+  static void countOutliers(double[] t, int at) {
+    double alone = t[at + STREAK] <= MAX_ALONE ? t[at + STREAK] : 0.0;
+    t[at + OUTLIERS] += (alone - t[at + OUTLIERS]) / OUTLIER_MEMORY;
+  }
+
+  /**
+   * Records the claimed variance of an altitude that has been used, and what the covariance lacks
+   * of the persistent errors of all altitudes used lately.
+   *
+   * @param claim 0 if its errors do not persist
+   * @param latelyMicros how long ago at most
+   */
+  void claim(FilterState s, int at, double claim, double latelyMicros) {
+    s.trust[at + CLAIM] = claim + s.trust[at + ALIGNED];
+    double information = 0.0;
+    for (int source = 0; source < names.size(); source++) {
+      for (SensedQuantity each :
+          new SensedQuantity[] {SensedQuantity.ALTITUDE, SensedQuantity.LOCAL_DOWN}) {
+        int other = isKnown(source, each) ? of(s, source, each) : at;
+        boolean isOther = other != at && s.trust[other + USED] > 0.0;
+        if (isOther && s.micros - s.trust[other + LAST_USED] < latelyMicros) {
+          information += 1.0 / s.trust[other + CLAIM];
+        }
+      }
+    }
+    double persistent = 1.0 / (information + 1.0 / s.trust[at + CLAIM]);
+    s.x[FilterState.ALTITUDE_ERROR] =
+        Math.max(0.0, persistent - s.variance(FilterState.POSITION + 2));
   }
 
   static void notedNis(FilterState s, int at, double nis) {

@@ -15,6 +15,8 @@ final class SpeedDoubt {
   private static final double SHORTEST_S = 1.0; // minimum duration of a drift
   private static final double UNLIKELY = 2.5; // standard deviations, after several rejections
   private static final double MIN_MPS = 0.5; // a receiver's error drifts more slowly
+  private static final double SLOW_MPS = 0.1; // the same if two speeds contradict the positions
+  private static final double CALM_S = 3.0; // over which positions must keep their offset
   private static final double MIN_SHARE = 0.5; // fraction of the speed
   private static final double JUMP_SHARE = 0.7; // fraction of a difference; drift has no jumps
   private static final double SAME_SPEED = 0.4; // relative difference of two speeds
@@ -57,8 +59,8 @@ final class SpeedDoubt {
     double north = (model.innovation[0] - t[at + SourceTrust.STREAK_FIRST]) / seconds;
     double east = (model.innovation[1] - t[at + SourceTrust.STREAK_FIRST + 1]) / seconds;
     double drift = Math.hypot(north, east);
-    double variance = SourceTrust.factor(s, at) * (model.variance[0] + model.variance[1]);
-    double sigma = Math.sqrt(variance + 2.0 * wanderRate * seconds) / seconds;
+    double variance = variance(s, model, at);
+    double sigma = driftSigma(s, model, at, wanderRate, seconds);
     double vn = s.x[FilterState.V] + north;
     double ve = s.x[FilterState.V + 1] + east;
     double speed = Math.hypot(s.x[FilterState.V], s.x[FilterState.V + 1]);
@@ -66,11 +68,12 @@ final class SpeedDoubt {
     double jump = t[at + SourceTrust.STREAK_JUMP];
     boolean isNoise = jump < UNLIKELY * Math.sqrt(2.0 * variance);
     boolean isJump = !isNoise && jump > JUMP_SHARE * drift * seconds;
-    if (isJump || drift < least || drift < UNLIKELY * sigma) {
+    boolean isContradicted = isContradicted(s, m, source, drift);
+    if (isJump || drift < (isContradicted ? SLOW_MPS : least) || drift < UNLIKELY * sigma) {
       return false;
     }
-    if (hasAgreeingVelocity(s, m, drift) && !speeds(s, source).isEmpty()) {
-      t[at + SourceTrust.STREAK] = 0.0; // a position that drifts must not become the estimate's
+    if (isContradicted) {
+      leaveOut(s, model, at, drift);
       return false;
     }
     if (isOtherWay(s, vn, ve)) {
@@ -82,6 +85,76 @@ final class SpeedDoubt {
     Alignment.velocity(s, 0, vn, sigma * sigma + least * least);
     Alignment.velocity(s, 1, ve, sigma * sigma + least * least);
     return true;
+  }
+
+  private static double variance(FilterState s, Linearization model, int at) {
+    return SourceTrust.factor(s, at) * (model.variance[0] + model.variance[1]);
+  }
+
+  private static double driftSigma(
+      FilterState s, Linearization model, int at, double wanderRate, double seconds) {
+    return Math.sqrt(variance(s, model, at) + 2.0 * wanderRate * seconds) / seconds;
+  }
+
+  /** Leaves out positions that drift, so that they do not become the estimate's. */
+  private static void leaveOut(FilterState s, Linearization model, int at, double drift) {
+    s.trust[at + SourceTrust.DOUBT_MPS] = drift;
+    s.trust[at + SourceTrust.IS_BIASED] = 1.0;
+    s.trust[at + SourceTrust.STREAK] = 0.0;
+    differ(s, model); // the estimate may have followed before this was noticed
+    mark(s, model, at);
+  }
+
+  /** Makes the estimate as uncertain as its difference from a position. */
+  private static void differ(FilterState s, Linearization model) {
+    for (int i = 0; i < 2; i++) {
+      s.p.data[(FilterState.POSITION + i) * (FilterState.N + 1)] +=
+          model.innovation[i] * model.innovation[i];
+    }
+  }
+
+  private static void mark(FilterState s, Linearization model, int at) {
+    s.trust[at + SourceTrust.STREAK_SINCE] = s.micros;
+    s.trust[at + SourceTrust.STREAK_FIRST] = model.innovation[0];
+    s.trust[at + SourceTrust.STREAK_FIRST + 1] = model.innovation[1];
+  }
+
+  /**
+   * Whether positions are still left out because they drift. That ends when they keep their offset
+   * from the estimate, of which either may then be wrong, or when no two speeds contradict them.
+   *
+   * @param wanderRate process noise of their error, per axis [m²/s]
+   */
+  boolean isLeftOut(
+      FilterState s, Measurement m, Linearization model, int source, int at, double wanderRate) {
+    double[] t = s.trust;
+    double found = t[at + SourceTrust.DOUBT_MPS];
+    if (found == 0.0 || model.rows != 2) {
+      return false;
+    }
+    t[at + SourceTrust.GATED]++;
+    double seconds = (s.micros - t[at + SourceTrust.STREAK_SINCE]) * 1e-6;
+    if (seconds < CALM_S) {
+      return true;
+    }
+    double drift =
+        Math.hypot(
+                model.innovation[0] - t[at + SourceTrust.STREAK_FIRST],
+                model.innovation[1] - t[at + SourceTrust.STREAK_FIRST + 1])
+            / seconds;
+    double sigma = driftSigma(s, model, at, wanderRate, seconds);
+    boolean isCalm = drift < Math.max(SLOW_MPS / 2.0, UNLIKELY * sigma);
+    if (isCalm || !isContradicted(s, m, source, Math.max(drift, found))) {
+      t[at + SourceTrust.DOUBT_MPS] = 0.0;
+      t[at + SourceTrust.IS_BIASED] = 0.0;
+      differ(s, model);
+    }
+    mark(s, model, at);
+    return true;
+  }
+
+  private boolean isContradicted(FilterState s, Measurement m, int source, double drift) {
+    return hasAgreeingVelocity(s, m, drift) && !speeds(s, source).isEmpty();
   }
 
   /**

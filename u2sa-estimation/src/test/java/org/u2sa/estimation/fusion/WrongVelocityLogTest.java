@@ -28,6 +28,7 @@ class WrongVelocityLogTest {
   private double waveM = 0.3;
   private double errorMps; // vertical
   private double jumpM; // of the depth gauge
+  private int outlierAt; // each reading of that number; 0: none
   private boolean isFrozen; // the log
   private boolean isGaugeFrozen;
   private double keptM;
@@ -95,6 +96,8 @@ class WrongVelocityLogTest {
       if (!errs || !isFrozen) {
         kept[axis] = truth[axis] + gauss(0.01);
       }
+      boolean isOutlier = errs && axis == 0 && outlierAt > 0 && micros / 200_000L % outlierAt == 0;
+      kept[axis] += isOutlier ? 3.0 : 0.0;
       m.set(SensedQuantity.BODY_VELOCITY, axis, kept[axis], 0.02);
     }
     filter.add(m);
@@ -145,5 +148,15 @@ class WrongVelocityLogTest {
     dive(50.0);
     assertThat(standing("Depth")).isEqualTo(SourceReports.Standing.FROZEN);
     assertThat(worstM).isLessThan(0.3);
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {7, 8, 12})
+  void add_logWithOutliers_othersAreUsedAndItIsNamed(int nth) {
+    outlierAt = nth;
+    dive(300.0);
+    assertThat(worstNorthSigmas).isLessThan(3.0);
+    assertThat(filter.at(Math.round(nowS * 1e6)).velocitySigmaMps(0)).isLessThan(0.03);
+    assertThat(standing("Log")).isEqualTo(SourceReports.Standing.GATED);
   }
 }
