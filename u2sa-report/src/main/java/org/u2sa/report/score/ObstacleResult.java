@@ -19,20 +19,19 @@ public record ObstacleResult(
 
   /** Closest approach of a run to an object. The start of the run is the origin of local frames. */
   static ObstacleResult of(
-      ObjectDescription object, double reachM, Geodetic home, List<TrackSample> track) {
+      ObjectDescription object, Surroundings all, Geodetic home, List<TrackSample> track) {
     double least = Double.POSITIVE_INFINITY;
     double timeS = 0.0;
     for (TrackSample sample : track) {
       double away =
-          Surroundings.after(object, sample.timeS())
-              .distanceTo(Surroundings.in(object, sample.place(), home));
+          all.distanceM(object, sample.timeS(), Surroundings.in(object, sample.place(), home));
       if (away < least) {
         least = away;
         timeS = sample.timeS();
       }
     }
     return new ObstacleResult(
-        object.uid(), Surroundings.moves(object), least, timeS, least <= reachM);
+        object.uid(), Surroundings.moves(object), least, timeS, least <= all.reachM());
   }
 
   String violation() {

@@ -61,7 +61,7 @@ public final class RunScorer {
     }
     Geodetic home = plan.home().map(RunPlan.Start::place).orElse(track.get(0).place());
     return plan.surroundings().objects().stream()
-        .map(each -> ObstacleResult.of(each, plan.surroundings().reachM(), home, track))
+        .map(each -> ObstacleResult.of(each, plan.surroundings(), home, track))
         .toList();
   }
 

@@ -1,6 +1,7 @@
 package org.u2sa.report.score;
 
 import java.util.List;
+import java.util.Map;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
@@ -16,8 +17,13 @@ import org.u2sa.messages.shape.Polygon;
  * @param objects in GLOBAL, UTM, or a local frame with its origin at the vehicle's start
  * @param reachM radius of the vehicle around its reference point [m]; nearer objects are touched
  * @param areas areas on the ground, for the map
+ * @param shapes true shapes, by uid, of objects that are spheres on the map; used for distances
  */
-public record Surroundings(List<ObjectDescription> objects, double reachM, List<Area> areas) {
+public record Surroundings(
+    List<ObjectDescription> objects,
+    double reachM,
+    List<Area> areas,
+    Map<String, ObjectDescription> shapes) {
   /**
    * An area defined by the judge.
    *
@@ -29,11 +35,12 @@ public record Surroundings(List<ObjectDescription> objects, double reachM, List<
   public Surroundings {
     objects = List.copyOf(objects);
     areas = List.copyOf(areas);
+    shapes = Map.copyOf(shapes);
   }
 
   /** Objects without areas. */
   public Surroundings(List<ObjectDescription> objects, double reachM) {
-    this(objects, reachM, List.of());
+    this(objects, reachM, List.of(), Map.of());
   }
 
   /** No objects. */
@@ -75,6 +82,13 @@ public record Surroundings(List<ObjectDescription> objects, double reachM, List<
             ? ((MovingSphere) sphere.copy()).trajectory(List.of())
             : object;
     return alone.movedTo(centreAfter(object, seconds));
+  }
+
+  /** Distance of a position, in an object's frame, from the object at a time of the run [s]. */
+  double distanceM(ObjectDescription object, double seconds, Point position) {
+    ObjectDescription then = after(object, seconds);
+    ObjectDescription shape = shapes.get(object.uid());
+    return (shape == null ? then : shape.movedTo(then.center())).distanceTo(position);
   }
 
   /** Converts a position to an object's frame, for {@link ObjectDescription#distanceTo}. */

@@ -150,8 +150,7 @@ record DemoRun(
       refuseFailed(running);
       refuseUnswapped(operator);
       Set<String> pursued = observer.record().goals(goals);
-      int completed =
-          (int) pursued.stream().filter(observer.record().completed()::contains).count();
+      int completed = observer.record().completed(goals).size();
       if (completed < pursued.size()) {
         troubles.printRest();
         terminal.out().println("Logs: " + directory.resolve("logs"));

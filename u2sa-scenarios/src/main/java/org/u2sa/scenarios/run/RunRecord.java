@@ -1,5 +1,6 @@
 package org.u2sa.scenarios.run;
 
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
@@ -42,6 +43,8 @@ public final class RunRecord {
   private List<String> current = List.of(); // goals
   private double currentAfterS = Double.NEGATIVE_INFINITY; // last sample before they were current
   private double lastS = Double.NEGATIVE_INFINITY;
+  private final List<List<String>> pursued = new ArrayList<>(); // goals, one after the other
+  private boolean repeats; // whether a goal leads back
   private boolean chosen; // whether one of the current goals was completed
   private int leg = -1;
   private boolean begun;
@@ -144,6 +147,7 @@ public final class RunRecord {
     leftOut.removeAll(next);
     leftOut.removeAll(done);
     current = next;
+    pursued.add(next);
     currentAfterS = lastS;
     chosen = false;
   }
@@ -151,6 +155,7 @@ public final class RunRecord {
   private void follow(GoalList goals) {
     seen = false;
     List<String> uids = goals.goals().stream().map(GoalInformation::uid).toList();
+    repeats |= goals.goals().stream().anyMatch(goal -> goal.repeatFrom().isPresent());
     if (!uids.equals(current)) {
       become(uids);
     }
@@ -270,8 +275,32 @@ public final class RunRecord {
     return readings;
   }
 
-  /** Goals reported completed, also those of failsafes; call like {@link #track}. */
-  Set<String> completed() {
-    return done;
+  /**
+   * Goals reported completed; of a mission that repeats goals, without those that it would still
+   * pursue; call like {@link #track}.
+   *
+   * @param planned goals of the mission at the start
+   */
+  Set<String> completed(Set<String> planned) {
+    Set<String> completed = new LinkedHashSet<>(goals(planned));
+    completed.retainAll(done);
+    if (repeats) {
+      completed.removeAll(remaining(goals(planned)));
+    }
+    return completed;
+  }
+
+  /** The mission's goals that were current last; those of a failsafe leave them as they were. */
+  private List<String> remaining(Set<String> own) {
+    List<String> remaining = List.of();
+    boolean wasOwn = true;
+    for (List<String> uids : pursued) {
+      boolean isOwn = own.containsAll(uids);
+      if (isOwn && (wasOwn || !uids.isEmpty())) {
+        remaining = uids;
+      }
+      wasOwn = isOwn;
+    }
+    return remaining;
   }
 }

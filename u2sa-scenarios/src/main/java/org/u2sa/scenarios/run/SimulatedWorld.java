@@ -3,11 +3,14 @@ package org.u2sa.scenarios.run;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectLevel;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.shape.Cylinder;
 import org.u2sa.messages.shape.MovingSphere;
 import org.u2sa.messages.shape.Polygon;
 import org.u2sa.report.score.Surroundings;
@@ -55,7 +58,7 @@ public final class SimulatedWorld {
 
   /**
    * Objects, movers and zones, for the map and the summary: a mover as a sphere of its horizontal
-   * radius; zones only if judged or keep-out.
+   * radius, and, if it is upright and round, with its shape; zones only if judged or keep-out.
    *
    * @param limitS longest duration of the run [s]
    */
@@ -68,7 +71,12 @@ public final class SimulatedWorld {
             .filter(zone -> zone.kind() != Zone.Kind.PATCH)
             .map(SimulatedWorld::area)
             .toList();
-    return new Surroundings(all, 0.0, areas);
+    Map<String, ObjectDescription> upright =
+        world.movers().stream()
+            .map(ScriptedMover::object)
+            .filter(Cylinder.class::isInstance)
+            .collect(Collectors.toMap(ObjectDescription::uid, shape -> shape));
+    return new Surroundings(all, 0.0, areas, upright);
   }
 
   private static Surroundings.Area area(Zone zone) {

@@ -208,7 +208,7 @@ class RunRecordTest {
 
     assertThat(legs()).containsExactly(1, 0, 2);
     assertThat(record.leftOut()).isEmpty();
-    assertThat(record.completed()).containsExactlyInAnyOrder("a", "b");
+    assertThat(record.completed(Set.of("a", "b"))).containsExactlyInAnyOrder("a", "b");
   }
 
   @Test
@@ -247,5 +247,61 @@ class RunRecordTest {
     assertThat(crossTrackM(new ObjectGoal().uid("barrel").objectType("barrel").within(2.0)))
         .isZero();
     assertThat(crossTrackM(new Waypoint().uid("b"))).isZero();
+  }
+
+  private void pursues(GoalInformation... goals) {
+    record.received(new GoalList().goals(List.of(goals)).upcoming(List.of()));
+  }
+
+  private void completes(String goal) {
+    record.received(new Waypoint().uid(goal).completed(true));
+  }
+
+  private static Waypoint twice() {
+    Waypoint last = new Waypoint();
+    last.uid("b").repeatFrom("a").repeatTimes(1);
+    return last;
+  }
+
+  private void firstLap() {
+    pursues(new Waypoint().uid("a"));
+    completes("a");
+    pursues(twice());
+    completes("b");
+    pursues(new Waypoint().uid("a"));
+  }
+
+  @Test
+  void completed_missionThatRepeats_countsGoalsOnlyWhenItNoLongerPursuesThem() {
+    Set<String> planned = Set.of("a", "b");
+    firstLap();
+    assertThat(record.completed(planned)).as("second lap").containsExactly("b");
+    completes("a");
+    pursues(twice());
+    assertThat(record.completed(planned)).containsExactly("a");
+    completes("b");
+    pursues();
+    assertThat(record.completed(planned)).containsExactlyInAnyOrder("a", "b");
+  }
+
+  @Test
+  void completed_failsafeEndsTheRepetition_goalsRemain() {
+    firstLap();
+    pursues(new Waypoint().uid("home"));
+    completes("home");
+    pursues();
+
+    assertThat(record.completed(Set.of("a", "b"))).containsExactly("b");
+  }
+
+  @Test
+  void completed_goalsOfALoop_countOnce() {
+    pursues(new Waypoint().uid("a"));
+    completes("a");
+    pursues(new Waypoint().uid("b"));
+    completes("b");
+    pursues(new Waypoint().uid("a"));
+
+    assertThat(record.completed(Set.of("a", "b"))).containsExactlyInAnyOrder("a", "b");
   }
 }

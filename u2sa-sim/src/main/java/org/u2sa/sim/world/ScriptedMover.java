@@ -229,6 +229,11 @@ public final class ScriptedMover {
     return object.uid();
   }
 
+  /** The object at its start, in LOCAL_ENU. */
+  public ObjectDescription object() {
+    return object;
+  }
+
   /** Type of the object, such as a vessel. */
   public String objectType() {
     return object.objectType();
