@@ -11,6 +11,7 @@ import org.u2sa.control.allocation.ActuatorRoster;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
@@ -29,6 +30,7 @@ abstract class GroundControl extends ControlSystem {
   private final ActuatorRoster roster = new ActuatorRoster();
   private final Settings<HandDriving.Limits> handLimits = settings(HandDriving.Limits.class);
   private final HandDriving hand = new HandDriving();
+  private long saidMicros; // when the state of driving by hand was last published
   private boolean navigating;
   private boolean powerless;
   private boolean armed = true; // without an arming service, motors obey immediately
@@ -56,6 +58,10 @@ abstract class GroundControl extends ControlSystem {
 
   @Override
   protected final void control(StateInformation state, Optional<NavigationPoint> point) {
+    long now = clock().micros();
+    if (hand.isActive() && now - saidMicros >= Clock.MICROS_PER_SECOND) {
+      publishHand(hand.state()); // for a Mission Manager that starts during the drive
+    }
     drive(state, hand.isActive() ? wanted() : target(state, point), measured(state));
   }
 
@@ -132,15 +138,20 @@ abstract class GroundControl extends ControlSystem {
 
   private void ended(ManualState state) {
     log(LogLevelEnum.WARN, "driving by hand ended: " + state.reason().orElse(""));
-    publish(Channels.MANUAL_STATE, state);
+    publishHand(state);
     remember();
+  }
+
+  private void publishHand(ManualState state) {
+    saidMicros = clock().micros();
+    publish(Channels.MANUAL_STATE, state);
   }
 
   /** Publishes the current state, which may differ from a predecessor's last message. */
   @Override
   protected void begin() {
     super.begin();
-    publish(Channels.MANUAL_STATE, hand.state());
+    publishHand(hand.state());
   }
 
   @Override

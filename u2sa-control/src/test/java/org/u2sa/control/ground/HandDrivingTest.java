@@ -222,13 +222,26 @@ class HandDrivingTest {
   }
 
   @Test
+  void start_aMissionManagerDuringALongDrive_pausesIt() {
+    try (RoverDrive drive = differential()) {
+      drive.missions.kill();
+      order(drive, true, "Ann");
+      hold(drive, by("Ann").speed(0.3), 8.0);
+      drive.startMissions();
+      hold(drive, by("Ann").speed(0.3), 2.0);
+
+      assertThat(drive.kit.latest(Channels.GOALS).orElseThrow().paused()).isTrue();
+    }
+  }
+
+  @Test
   void end_goalsOfAServiceThatDoesNotPause_standsUntilItSendsThemAgain() {
     try (RoverDrive drive = differential()) {
       drive.missions.kill();
       order(drive, true, "Ann");
       order(drive, false, "Ann");
       drive.until(() -> false, 5.0);
-      drive.kit.publish(Channels.GOALS, (GoalList) drive.kit.latest(Channels.GOALS).orElseThrow());
+      drive.kit.publish(Channels.GOALS, drive.kit.latest(Channels.GOALS).orElseThrow());
       drive.until(() -> false, 5.0);
       assertThat(speed(drive)).as("retained ones arrive again").isCloseTo(0.0, within(0.02));
 

@@ -41,6 +41,7 @@ final class RoverDrive implements AutoCloseable {
   final KinematicRover rover;
   final List<Sample> track = new ArrayList<>();
   final MissionManager missions;
+  private final Path mission;
   ControlSystem control;
   boolean measures = true; // false: no position
 
@@ -52,10 +53,8 @@ final class RoverDrive implements AutoCloseable {
       Map<String, Object> variables) {
     this.rover = rover;
     kit.start(PassThroughStateEstimator::new);
-    missions =
-        kit.with("MISSION", mission.toString())
-            .with("DEFAULT THRESHOLD", 0.5)
-            .start(MissionManager::new);
+    this.mission = mission;
+    missions = startMissions();
     kit.withoutVariables();
     planner.forEach(kit::with);
     kit.start(PathPlanner::new);
@@ -87,6 +86,13 @@ final class RoverDrive implements AutoCloseable {
   /** Puts another control in the place of the one that drives. */
   void swap(Function<ServiceContext, ? extends ControlSystem> constructor) {
     control = kit.swap(control, constructor);
+  }
+
+  MissionManager startMissions() {
+    kit.withoutVariables();
+    return kit.with("MISSION", mission.toString())
+        .with("DEFAULT THRESHOLD", 0.5)
+        .start(MissionManager::new);
   }
 
   void restart(Function<ServiceContext, ? extends ControlSystem> constructor) {

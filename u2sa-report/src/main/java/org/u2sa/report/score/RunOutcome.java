@@ -59,7 +59,8 @@ public record RunOutcome(
     return new RunOutcome(0, false, List.of());
   }
 
-  RunOutcome breaking(List<String> more) {
+  /** With further violations. */
+  public RunOutcome breaking(List<String> more) {
     List<String> all = new ArrayList<>(violations);
     all.addAll(more);
     return new RunOutcome(contacts, stalled, all, counts, figures);

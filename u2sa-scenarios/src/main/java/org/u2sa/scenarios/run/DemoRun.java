@@ -175,7 +175,13 @@ record DemoRun(
     Set<String> leftOut = observer.record().leftOut();
     int waypoints =
         (int) plan.waypoints().stream().filter(at -> leftOut.contains(at.name())).count();
-    RunOutcome outcome = observer.outcome();
+    RunOutcome outcome =
+        observer
+            .outcome()
+            .breaking(
+                observer.record().unrepeated(goals).stream()
+                    .map(goal -> "goal \"" + goal + "\" was not repeated as often as planned")
+                    .toList());
     int moved = observer.record().moved().size();
     if (moved > 0) {
       outcome = outcome.counting(RunOutcome.WAYPOINTS_MOVED, moved);

@@ -284,10 +284,13 @@ public final class RunRecord {
   Set<String> completed(Set<String> planned) {
     Set<String> completed = new LinkedHashSet<>(goals(planned));
     completed.retainAll(done);
-    if (repeats) {
-      completed.removeAll(remaining(goals(planned)));
-    }
+    completed.removeAll(unrepeated(planned));
     return completed;
+  }
+
+  /** Goals that were completed and that the mission would still pursue again; as completed. */
+  List<String> unrepeated(Set<String> planned) {
+    return repeats ? remaining(goals(planned)).stream().filter(done::contains).toList() : List.of();
   }
 
   /** The mission's goals that were current last; those of a failsafe leave them as they were. */

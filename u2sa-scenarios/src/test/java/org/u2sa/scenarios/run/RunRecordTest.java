@@ -276,6 +276,7 @@ class RunRecordTest {
     Set<String> planned = Set.of("a", "b");
     firstLap();
     assertThat(record.completed(planned)).as("second lap").containsExactly("b");
+    assertThat(record.unrepeated(planned)).containsExactly("a");
     completes("a");
     pursues(twice());
     assertThat(record.completed(planned)).containsExactly("a");
