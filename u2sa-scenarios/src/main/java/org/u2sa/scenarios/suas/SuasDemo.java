@@ -160,12 +160,11 @@ final class SuasDemo implements Callable<Integer>, Demo {
 
   @Override
   public Surroundings surroundings() {
-    return field == null
-        ? Surroundings.none()
-        : new Surroundings(
-            SimulatedWorld.surroundings(field.world(true), SuasJudge.RUN_S).objects(),
-            0.0,
-            field.areas());
+    if (field == null) {
+      return Surroundings.none();
+    }
+    Surroundings drawn = SimulatedWorld.surroundings(field.world(true), SuasJudge.RUN_S);
+    return new Surroundings(drawn.objects(), 0.0, field.areas(), drawn.shapes());
   }
 
   private SuasStation.Script script(SuasField drawn) {
