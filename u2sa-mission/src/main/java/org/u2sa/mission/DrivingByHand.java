@@ -32,7 +32,7 @@ final class DrivingByHand {
   }
 
   /**
-   * Takes note of a state.
+   * Sees a state of driving by hand.
    *
    * @param isNews whether it is fresh; an older one, retained, may be of another run
    * @return whether the mission must pause for a drive
