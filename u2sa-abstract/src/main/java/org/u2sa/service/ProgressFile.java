@@ -3,10 +3,12 @@ package org.u2sa.service;
 import static java.nio.charset.StandardCharsets.UTF_8;
 
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
-import java.util.List;
+import java.nio.file.StandardOpenOption;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.u2sa.interfaces.disk.RegularFile;
@@ -19,8 +21,9 @@ import org.u2sa.service.handover.RememberedStates;
 /**
  * Saved state of a service for its restart in this run: a text file in its log folder, replaced
  * atomically, and a copy in memory, so that a restart in this process does not depend on the disk.
- * Not synced, because a power cut ends the run. The service does not wait for a disk that hangs
- * ({@link ReplacedFile}).
+ * On a full disk the file is overwritten in place, which needs no room, or else deleted: a
+ * successor must not take an old state for the present one. Not synced, because a power cut ends
+ * the run. The service does not wait for a disk that hangs ({@link ReplacedFile}).
  */
 final class ProgressFile {
   private final Path file;
@@ -44,21 +47,53 @@ final class ProgressFile {
   }
 
   /**
-   * @param failed called if writing fails, possibly later on another thread; the previous file is
-   *     kept
+   * @param saved called once it is written, possibly later on another thread
+   * @param failed likewise if that fails; no file is left
    */
-  void write(HandOver state, Consumer<IOException> failed) {
+  void write(HandOver state, Runnable saved, Consumer<IOException> failed) {
     inMemory.put(serviceName, state);
-    List<String> lines = HandOverText.lines(state, systemId);
-    access.change(() -> replace(lines), failed);
+    byte[] text = (String.join("\n", HandOverText.lines(state, systemId)) + "\n").getBytes(UTF_8);
+    access.change(
+        () -> {
+          save(text);
+          saved.run();
+        },
+        failed);
   }
 
-  private void replace(List<String> lines) throws IOException {
+  private void save(byte[] text) throws IOException {
     Files.createDirectories(file.toAbsolutePath().getParent());
     Path beside = file.resolveSibling(file.getFileName() + ".tmp");
     RegularFile.refusePipe(beside);
-    Files.write(beside, lines, UTF_8);
-    Files.move(beside, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+    try {
+      Files.write(beside, text);
+      Files.move(beside, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+    } catch (IOException e) {
+      discard(beside, e);
+      overwrite(text, e);
+    }
+  }
+
+  private static void discard(Path path, IOException why) {
+    try {
+      Files.deleteIfExists(path);
+    } catch (IOException e) {
+      why.addSuppressed(e);
+    }
+  }
+
+  private void overwrite(byte[] text, IOException why) throws IOException {
+    try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE)) {
+      ByteBuffer rest = ByteBuffer.wrap(text);
+      while (rest.hasRemaining()) {
+        channel.write(rest);
+      }
+      channel.truncate(text.length);
+    } catch (IOException e) {
+      why.addSuppressed(e);
+      discard(file, why);
+      throw why;
+    }
   }
 
   /**

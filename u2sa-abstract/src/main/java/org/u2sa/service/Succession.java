@@ -26,6 +26,7 @@ final class Succession {
   private final ServiceConfiguration configuration;
   private final Consumer<HandOver> takeOver;
   private final LongConsumer firstStepAt;
+  private final Consumer<String> remark;
   private final ProgressFile progress;
   private final AtomicReference<Order> ordered = new AtomicReference<>();
   private final Map<String, Map<String, Deque<ServiceInbox.Delivery>>> retained =
@@ -44,16 +45,19 @@ final class Succession {
   /**
    * @param takeOver restores saved state
    * @param firstStepAt sets when the first step is due [µs of the run's clock]
+   * @param remark receives why the state is not saved, for health reports; empty if it is
    */
   Succession(
       ServiceContext context,
       ServiceConfiguration configuration,
       Consumer<HandOver> takeOver,
-      LongConsumer firstStepAt) {
+      LongConsumer firstStepAt,
+      Consumer<String> remark) {
     this.context = context;
     this.configuration = configuration;
     this.takeOver = takeOver;
     this.firstStepAt = firstStepAt;
+    this.remark = remark;
     progress = new ProgressFile(context, configuration.name());
   }
 
@@ -103,7 +107,7 @@ final class Succession {
   /** {@link U2SAService#remember}. */
   void remember(Supplier<HandOver> state) {
     try {
-      progress.write(state.get(), this::notRemembered);
+      progress.write(state.get(), () -> remark.accept(""), this::notRemembered);
     } catch (RuntimeException e) {
       notRemembered(e);
     }
@@ -111,6 +115,7 @@ final class Succession {
 
   /** Reports that saving failed, e.g. because the disk is full; not fatal. */
   private void notRemembered(Exception why) {
+    remark.accept("not saved: " + why);
     if (Long.bitCount(notRemembered.incrementAndGet()) == 1) { // 1, 2, 4, 8…: may persist
       configuration.log(
           LogLevelEnum.ERROR,

@@ -95,7 +95,13 @@ public abstract class U2SAService extends Thread
     context.onAbandon(connection::close);
     channels = new ServiceRegistration(connection, role);
     configurationWriter = new ConfigurationWriter(configuration, life);
-    succession = new Succession(context, configuration, this::takeOver, this::firstStepAt);
+    succession =
+        new Succession(
+            context,
+            configuration,
+            this::takeOver,
+            this::firstStepAt,
+            what -> remark("STATE", what));
     reporter =
         new HealthReporter(recipient, connection, health, loop == null ? this : loop.messages());
     ConfigurationResponder responder =

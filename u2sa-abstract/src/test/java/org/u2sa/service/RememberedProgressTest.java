@@ -12,11 +12,14 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.LockstepClock;
+import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.mission.GoalCommand;
 import org.u2sa.messages.schema.U2SAData;
@@ -26,6 +29,8 @@ import org.u2sa.service.handover.RememberedStates;
 /** What a service knows after it was started again. */
 @Timeout(120)
 class RememberedProgressTest {
+  private static final Path FULL = Path.of("/dev/full"); // every write fails
+
   @TempDir private Path directory;
   private final LockstepClock clock = new LockstepClock();
   private final LocalBus bus = new LocalBus("test");
@@ -128,16 +133,53 @@ class RememberedProgressTest {
     assertThat(learner.taken.messages("PLACES", U2SAData.class)).hasSize(2);
   }
 
+  /** Leaves no room for another file. */
+  private void fillDisk() throws IOException {
+    Files.createDirectories(directory.resolve("Learner.progress.tmp/in the way"));
+  }
+
+  private String remarks() {
+    return learner.health.addTo(new HealthReport()).toString();
+  }
+
   @Test
+  void restart_afterTheDiskWasFull_takesOverTheNewestState() throws Exception {
+    learn("old, and longer");
+    fillDisk();
+    learn("new");
+    assertThat(remarks()).doesNotContain("STATE");
+    restart();
+
+    assertThat(learner.learnt).isEqualTo("new");
+  }
+
+  @Test
+  @EnabledOnOs(OS.LINUX)
+  void restart_afterNothingCouldBeWritten_knowsNothingRatherThanTheOldState() throws Exception {
+    learn("old");
+    fillDisk();
+    Files.delete(file());
+    Files.createSymbolicLink(file(), FULL);
+    learn("new");
+    restart();
+
+    assertThat(learner.learnt).isEqualTo("nothing");
+  }
+
+  @Test
+  @EnabledOnOs(OS.LINUX)
   void restart_inTheSameProcessAfterTheDiskFailed_goesOnWithTheNewestState() throws Exception {
     learner.kill();
     remembered = new RememberedStates();
     start(false);
     learn("old");
-    Files.createDirectory(directory.resolve("Learner.progress.tmp")); // nothing can be written
+    fillDisk();
+    Files.delete(file());
+    Files.createSymbolicLink(file(), FULL);
     learn("new");
     assertThat(log()).contains("the state was not saved");
-    assertThat(Files.readString(file())).contains("old");
+    assertThat(file()).as("no old state").doesNotExist();
+    assertThat(remarks()).contains("STATE: not saved");
 
     restart();
     assertThat(learner.learnt).isEqualTo("new");

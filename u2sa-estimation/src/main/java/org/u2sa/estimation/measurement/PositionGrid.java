@@ -14,7 +14,7 @@ public final class PositionGrid {
   private static final int CONFIRMED = 2;
   private static final int REPEATED = 3; // since the last change
   private static final double SURE = 3.0; // changes in a row
-  private static final double MOST_STEPS = 3.0; // per change; every change is a multiple of some
+  private static final double MAX_STEPS = 3.0; // per change; every change is a multiple of some
   private static final double TOLERANCE = 0.02; // of a step
 
   private PositionGrid() {}
@@ -42,6 +42,6 @@ public final class PositionGrid {
   private static boolean isMultiple(double change, double step) {
     double steps = step > 0.0 ? change / step : 0.0;
     double whole = Math.rint(steps);
-    return whole >= 1.0 && whole <= MOST_STEPS && Math.abs(steps - whole) < TOLERANCE;
+    return whole >= 1.0 && whole <= MAX_STEPS && Math.abs(steps - whole) < TOLERANCE;
   }
 }
