@@ -139,10 +139,15 @@ final class HandDriving {
     state.texts(OBEYED, obeyed.identities()).flag("HELD AFTER DRIVE", hold.isAwaited());
   }
 
-  void takeOver(HandOver state) {
-    active = state.flag("BY HAND");
+  /**
+   * Continues for a predecessor. Only a swap continues its drive: before a restart, the vehicle may
+   * have been disarmed, or the driver have let go, so it stands until somebody takes over again.
+   */
+  void takeOver(HandOver state, boolean isSwap) {
+    boolean wasActive = state.flag("BY HAND");
+    active = wasActive && isSwap;
     operator = state.text("DRIVER").orElse("");
-    hold.await(state.flag("HELD AFTER DRIVE"));
+    hold.await(state.flag("HELD AFTER DRIVE") || wasActive);
     obeyed.takeOver(state.texts(OBEYED));
     takeovers = (long) state.number("TAKEOVERS").orElse(0.0);
   }

@@ -170,15 +170,18 @@ class HandDrivingTest {
     }
   }
 
+  /** While no control ran, the vehicle may have been disarmed and armed again. */
   @Test
-  void restart_whileDrivenByHand_goesOnByHandAndCountsTakeovers() {
+  void restart_whileDrivenByHand_standsUntilSomebodyTakesOverAgain() {
     try (RoverDrive drive = differential()) {
       order(drive, true, "Ann");
       drive.restart(DifferentialPursuitControl::new);
       hold(drive, by("Ann").speed(-0.4), 3.0);
-      assertThat(speed(drive)).isLessThan(-0.3);
+      assertThat(speed(drive)).isCloseTo(0.0, within(0.02));
+      assertThat(drive.kit.latest(Channels.MANUAL_STATE).orElseThrow().active()).isFalse();
 
       ManualState taken = order(drive, true, "Bob");
+      assertThat(taken.active()).isTrue();
       assertThat(taken.takeovers()).isEqualTo(2);
     }
   }
