@@ -52,5 +52,6 @@ class SystemTimeTest(unittest.TestCase):
         self.time.asked()
         self.time.hear(12_000_000)
         self.time.hear(None)
+        self.time.hear((1 << 63) - 1)
         self.assertFalse(self.time.is_settled())
         self.assertEqual(self.time.follow(), 0.0)

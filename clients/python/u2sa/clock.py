@@ -8,6 +8,7 @@ from typing import Callable, Optional
 _TOLERATED_S = 0.1
 _OTHERS_S = 0.2  # after the first answer
 _REAL_SINCE_S = 1e9  # an earlier time is simulated time, which a real clock cannot follow
+_REAL_UNTIL_S = 4_102_444_800.0  # 2100-01-01
 
 
 class SystemTime:
@@ -42,7 +43,7 @@ class SystemTime:
     def hear(self, timestamp: Optional[int]) -> None:
         """An answer arrived that was stamped with this time; others than those to the question do not count."""
         with self._lock:
-            if self._asked is None or timestamp is None or timestamp < _REAL_SINCE_S * 1e6:
+            if self._asked is None or timestamp is None or not _REAL_SINCE_S < timestamp / 1e6 < _REAL_UNTIL_S:
                 return
             now = self._steady()
             error = (now - self._asked) / 2

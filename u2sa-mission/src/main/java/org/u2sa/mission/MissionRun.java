@@ -92,6 +92,7 @@ final class MissionRun {
       report.failsafe(progress.pursuedFor().name());
     }
     mission.timeLimit().ifPresent(report::timeLimit);
+    mission.home().ifPresent(home -> home.z().ifPresent(report::homeAltitude));
     progress.beganMicros().ifPresent(report::began);
     resumable.ifPresent(report::resumable);
     if (progress.isPaused()) {

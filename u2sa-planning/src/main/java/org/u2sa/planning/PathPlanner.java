@@ -19,6 +19,7 @@ import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.safety.ManualState;
 import org.u2sa.planning.avoidance.Avoidance;
 import org.u2sa.planning.avoidance.AvoidanceVariables;
@@ -52,6 +53,8 @@ import org.u2sa.service.handover.HandOver;
  * 4.6.2.3).
  */
 public class PathPlanner extends EventDrivenService {
+  private static final long CLOCKS_APART_MICROS = Clock.MICROS_PER_SECOND; // at most
+
   private final Settings<PlanningVariables> settings = settings(PlanningVariables.class);
   private final PlannerStates states;
   private final EndOfMission end;
@@ -68,6 +71,8 @@ public class PathPlanner extends EventDrivenService {
   private Optional<GoalInformation> goal = Optional.empty(); // goal being pursued
   private Optional<Place> holdAt = Optional.empty(); // last goal position reached or abandoned
   private FailsafeAction failsafe = FailsafeAction.CONTINUE;
+  private boolean hasFailsafe; // whether one was heard
+  private long failsafeMicros; // when the present one began
   private boolean byHand; // navigation is currently ignored
   private String foreseen = ""; // UID of the goal expected next
   private long stateMicros = Long.MIN_VALUE; // arrival of the last state
@@ -141,7 +146,7 @@ public class PathPlanner extends EventDrivenService {
         Channels.FAILSAFE,
         state -> {
           if (first.isOfThisRun(state)) {
-            react(state.action());
+            react(state);
           }
         });
   }
@@ -274,10 +279,14 @@ public class PathPlanner extends EventDrivenService {
     }
   }
 
-  private void react(FailsafeAction action) {
+  private void react(FailsafeState state) {
+    FailsafeAction action = state.action();
+    boolean isFirst = !hasFailsafe; // of this planner: the answer may be older
+    hasFailsafe = true;
     if (action == failsafe) {
       return;
     }
+    failsafeMicros = isFirst ? 0L : state.timestamp().orElse(clock().micros());
     log(LogLevelEnum.WARN, "failsafe " + action);
     boolean held = isHolding();
     failsafe = action;
@@ -287,7 +296,18 @@ public class PathPlanner extends EventDrivenService {
   }
 
   private boolean isHolding() {
-    return failsafe == FailsafeAction.HOLD || goals.filter(GoalList::paused).isPresent();
+    return failsafe == FailsafeAction.HOLD
+        || goals.filter(GoalList::paused).isPresent()
+        || goals.filter(this::leadOnDespiteFailsafe).isPresent();
+  }
+
+  /** RETURN and LAND are answered with other goals, unless no Mission Manager runs. */
+  private boolean leadOnDespiteFailsafe(GoalList list) {
+    boolean isWayBack = failsafe == FailsafeAction.RETURN || failsafe == FailsafeAction.LAND;
+    return isWayBack
+        && !list.returning()
+        && !list.goals().isEmpty()
+        && list.timestamp().orElse(Long.MAX_VALUE) < failsafeMicros - CLOCKS_APART_MICROS;
   }
 
   /** Starts holding the current position, or resumes the goal from here. */

@@ -7,6 +7,8 @@ import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
@@ -71,6 +73,35 @@ class PlannerFailsafeTest {
 
   private void failsafe(FailsafeAction action) {
     kit.publish(Channels.FAILSAFE, new FailsafeState().action(action).causes(List.of("a test")));
+  }
+
+  private double aheadM() {
+    return kit.latest(Channels.NAVIGATION).orElseThrow().point().x();
+  }
+
+  /** Without a Mission Manager nobody answers it with other goals. */
+  @ParameterizedTest
+  @EnumSource(names = {"RETURN", "LAND"})
+  void failsafe_thatNobodyAnswers_holdsInsteadOfLeadingAlongTheMission(FailsafeAction action) {
+    kit.with("LOOK AHEAD", 10.0);
+    begin(1.0);
+    failsafe(FailsafeAction.CONTINUE);
+    kit.advance(5.0);
+    state(50.0, 1.0);
+    assertThat(aheadM()).isGreaterThan(5.0);
+
+    failsafe(action);
+    kit.forget();
+    state(50.0, 0.0);
+    state(50.0, 0.0);
+    assertThat(kit.published(Channels.NAVIGATION))
+        .as("holds")
+        .allMatch(point -> Math.abs(point.point().x()) < 1.0);
+    kit.advance(10.0);
+    failsafe(action); // repeated
+    kit.publish(Channels.GOALS, ((GoalList) goals.copy()).returning(true));
+    state(50.0, 0.0);
+    assertThat(aheadM()).as("the way back").isGreaterThan(5.0);
   }
 
   @Test

@@ -23,6 +23,8 @@ public final class ClockAgreement {
   /** 2001-09-09 [µs]: an earlier time is simulated time, which a real clock cannot follow. */
   private static final long REAL_SINCE_MICROS = 1_000_000_000_000_000L;
 
+  private static final long REAL_UNTIL_MICROS = 4_102_444_800_000_000L; // 2100-01-01
+
   private long askedMicros;
   private String source = ""; // service with the fastest answer
   private long aheadMicros;
@@ -44,7 +46,8 @@ public final class ClockAgreement {
     long ahead = saidMicros - (askedMicros + error);
     boolean isSame = Math.abs(ahead - aheadMicros) <= SAME_MICROS + error + errorMicros;
     boolean isBetter = isSame ? error < errorMicros : Math.abs(ahead) < Math.abs(aheadMicros);
-    if (saidMicros > REAL_SINCE_MICROS && (source.isEmpty() || isBetter)) {
+    boolean isReal = saidMicros > REAL_SINCE_MICROS && saidMicros < REAL_UNTIL_MICROS;
+    if (isReal && (source.isEmpty() || isBetter)) {
       heardMicros = source.isEmpty() ? nowMicros : heardMicros;
       source = answer.serviceName() + " on " + answer.host();
       errorMicros = error;

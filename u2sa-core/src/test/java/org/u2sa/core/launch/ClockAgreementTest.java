@@ -100,9 +100,10 @@ class ClockAgreementTest {
   }
 
   @Test
-  void aheadMicros_answersInSimulatedTime_isLeftAlone() {
+  void aheadMicros_answersInSimulatedOrAbsurdTime_isLeftAlone() {
     ClockAgreement agreement = new ClockAgreement(NOW);
     agreement.hear(answer(12_000_000L), NOW);
+    agreement.hear(answer(9_223_372_036_854_000L), NOW);
 
     assertThat(agreement.aheadMicros(log::add)).isZero();
   }

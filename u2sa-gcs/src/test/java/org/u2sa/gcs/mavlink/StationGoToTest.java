@@ -15,6 +15,8 @@ import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.mission.MissionReport;
+import org.u2sa.messages.safety.ArmCommand;
 import org.u2sa.messages.safety.ArmingState;
 
 /** Goals that take-off and reposition add to the mission. */
@@ -24,10 +26,62 @@ class StationGoToTest {
 
   private static BridgeKit copter(Identity identity) {
     BridgeKit kit = new BridgeKit(identity, VehicleKind.COPTER);
+    kit.says(new ArmingState().armed(false));
     kit.says(new StateInformation().x(10.0).y(54.0).z(GROUND_M).psi(1.0));
     kit.says(new ArmingState().armed(true));
     return kit;
   }
+
+  /** A bridge that starts while the vehicle flies 50 m above its home. */
+  private static BridgeKit inFlight() {
+    BridgeKit kit = new BridgeKit(Identity.ARDUPILOT, VehicleKind.COPTER);
+    kit.says(new StateInformation().x(10.0).y(54.0).z(GROUND_M + 50.0).psi(1.0));
+    kit.says(new ArmingState().armed(true));
+    return kit;
+  }
+
+  private static MavResult ofDisarming(BridgeKit kit) {
+    kit.command(DISARM, 0);
+    return kit.received(CommandAck.class).get(0).result().entry();
+  }
+
+  @Test
+  void start_inFlight_homeIsUnknownAndDisarmingMustBeForced() {
+    BridgeKit kit = inFlight();
+
+    assertThat(ofDisarming(kit)).isEqualTo(MavResult.MAV_RESULT_DENIED);
+    assertThat(kit.orders(ArmCommand.class)).isEmpty();
+    takeOff(kit, 70.0);
+    assertThat(kit.orders(Waypoint.class)).isEmpty();
+  }
+
+  @Test
+  void start_inFlight_altitudesAreAboveTheMissionsHome() {
+    BridgeKit kit = inFlight();
+    kit.says(
+        new MissionReport()
+            .requestId("r")
+            .serviceName("MissionManager")
+            .goals(List.of(new Waypoint().uid("home").x(10.0).y(54.0).horizontalThreshold(1.0)))
+            .homeAltitude(GROUND_M));
+
+    assertThat(ofDisarming(kit)).isEqualTo(MavResult.MAV_RESULT_DENIED);
+    takeOff(kit, 70.0);
+    assertThat(goal(kit).z()).hasValue(GROUND_M + 70.0);
+  }
+
+  @Test
+  void disarm_landedAfterAStartInFlight_isObeyed() {
+    BridgeKit kit = inFlight();
+    kit.says(new ArmingState().armed(false));
+    kit.says(new StateInformation().x(10.0).y(54.0).z(GROUND_M).psi(1.0));
+    kit.says(new ArmingState().armed(true));
+    takeOff(kit, 20.0);
+
+    assertThat(goal(kit).z()).hasValue(GROUND_M + 20.0);
+  }
+
+  private static final int DISARM = 400;
 
   private static void takeOff(BridgeKit kit, double altitudeM) {
     kit.command(TAKE_OFF, 0, 0, 0, 0, 0, 0, altitudeM);

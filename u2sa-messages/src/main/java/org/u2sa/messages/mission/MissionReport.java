@@ -36,6 +36,9 @@ public final class MissionReport extends U2SAData {
       SCHEMA.optionalNote("resumable");
   private static final ValueField<MissionReport, Boolean> PAUSED = SCHEMA.optionalFlag("paused");
 
+  private static final NumberField<MissionReport> HOME_ALTITUDE =
+      SCHEMA.optionalNumber("homeAltitude", "m");
+
   public static final MessageType<MissionReport> TYPE = SCHEMA.build();
 
   @Override
@@ -167,5 +170,17 @@ public final class MissionReport extends U2SAData {
 
   public MissionReport paused(boolean value) {
     return put(PAUSED, value);
+  }
+
+  /**
+   * Altitude of the ground at the home, in the home's frame [m]; empty if the mission does not
+   * state it. The home among the {@link #goals()} has none, because a vehicle returns above it.
+   */
+  public OptionalDouble homeAltitude() {
+    return get(HOME_ALTITUDE);
+  }
+
+  public MissionReport homeAltitude(double value) {
+    return put(HOME_ALTITUDE, value);
   }
 }

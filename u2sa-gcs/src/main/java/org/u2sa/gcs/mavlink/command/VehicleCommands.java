@@ -152,7 +152,10 @@ public final class VehicleCommands {
     }
   }
 
-  /** Whether the vehicle is airborne, judged by its wheels or else by its height above home. */
+  /**
+   * Whether the vehicle is airborne, judged by its wheels or else by its height above home; true if
+   * the height is not known.
+   */
   private boolean flies() {
     if (vehicle.kind().isOnSurface() || !vehicle.isArmed()) {
       return false;
@@ -161,9 +164,9 @@ public final class VehicleCommands {
     if (state.isPresent() && state.get() instanceof AircraftState aircraft) {
       return !aircraft.weightOnWheels();
     }
-    double groundM = placement.home().map(Geodetic::altitudeM).orElse(Double.POSITIVE_INFINITY);
-    return placement.global().map(StateInformation::z).orElse(OptionalDouble.empty()).orElse(0.0)
-        > groundM + HIGH_M;
+    OptionalDouble downM =
+        placement.local().map(StateInformation::z).orElse(OptionalDouble.empty());
+    return !(-downM.orElse(Double.NaN) <= HIGH_M);
   }
 
   private void start(Command command, Answer answer) {

@@ -1,6 +1,7 @@
 package org.u2sa.gcs.mavlink.telemetry;
 
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Geodetic;
@@ -27,7 +28,10 @@ public final class Placement {
         : Optional.empty();
   }
 
-  /** Home, or else the first known position; empty if neither is on the earth. */
+  /**
+   * Home, or else the first position on the ground; empty if neither is on the earth, or if the
+   * altitude of the home is not known: it is the mission's, or else that of the first position.
+   */
   public Optional<Geodetic> home() {
     Optional<Geodetic> first =
         vehicle
@@ -37,18 +41,16 @@ public final class Placement {
                 state ->
                     new Geodetic(
                         state.x().getAsDouble(), state.y().getAsDouble(), state.z().orElse(0.0)));
-    return vehicle.home().flatMap(home -> place(home, first)).or(() -> first);
-  }
-
-  /** A mission's home has no altitude; the first known position's is used. */
-  private static Optional<Geodetic> place(Waypoint home, Optional<Geodetic> first) {
-    return place(home)
-        .map(
-            place ->
-                home.z().isPresent() || first.isEmpty()
-                    ? place
-                    : new Geodetic(
-                        place.longitudeDeg(), place.latitudeDeg(), first.get().altitudeM()));
+    Optional<Geodetic> home = vehicle.home().flatMap(Placement::place);
+    OptionalDouble altitudeM = vehicle.homeAltitudeM();
+    if (altitudeM.isEmpty() && first.isPresent()) {
+      altitudeM = OptionalDouble.of(first.get().altitudeM());
+    }
+    double groundM = altitudeM.orElse(Double.NaN);
+    return home.isPresent()
+        ? home.filter(place -> !Double.isNaN(groundM))
+            .map(place -> new Geodetic(place.longitudeDeg(), place.latitudeDeg(), groundM))
+        : first;
   }
 
   /** Place of a waypoint; empty if it is not on the earth, or has no horizontal position. */

@@ -2,6 +2,7 @@ package org.u2sa.gcs.mavlink.vehicle;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.UUID;
 import java.util.concurrent.ConcurrentHashMap;
@@ -78,6 +79,7 @@ public final class VehicleStatus {
   private volatile StateInformation state; // null until received, like the others
   private volatile long stateMicros;
   private volatile StateInformation first;
+  private volatile boolean isFirstArmed; // so the vehicle may have been in the air
   private volatile GoalList goals;
   private volatile MissionReport report;
   private volatile ArmingState arming;
@@ -102,13 +104,18 @@ public final class VehicleStatus {
     if (message instanceof StateInformation now) {
       state = now;
       stateMicros = micros.getAsLong();
-      first = first == null && now.x().isPresent() && now.y().isPresent() ? now : first;
+      boolean isWanted = first == null || isFirstArmed && !isArmed();
+      if (isWanted && now.x().isPresent() && now.y().isPresent()) {
+        first = now;
+        isFirstArmed = isArmed();
+      }
     } else if (message instanceof GoalList list) {
       goals = list;
       isReportWanted = true;
     } else if (message instanceof MissionReport found) {
       report = found;
     } else if (message instanceof ArmingState now) {
+      isFirstArmed |= arming == null && now.armed(); // the state before it may have been in the air
       arming = now;
     } else if (message instanceof FailsafeState now) {
       failsafe = now;
@@ -180,9 +187,12 @@ public final class VehicleStatus {
         .filter(now -> micros.getAsLong() - stateMicros <= FRESH_MICROS);
   }
 
-  /** First state with a position, used as home if the mission has none. */
+  /**
+   * First state with a position, used as home if the mission has none; of vehicles that fly, the
+   * first one that was heard while they were disarmed, because a bridge may start in flight.
+   */
   public Optional<StateInformation> first() {
-    return Optional.ofNullable(first);
+    return Optional.ofNullable(isFirstArmed && !kind().isOnSurface() ? null : first);
   }
 
   /** Goals being pursued; empty until heard. */
@@ -202,6 +212,11 @@ public final class VehicleStatus {
         .filter(goal -> goal.uid().equals(HOME) && goal instanceof Waypoint)
         .map(goal -> (Waypoint) goal)
         .findFirst();
+  }
+
+  /** Altitude of the ground at the mission's home [m]; empty if not stated. */
+  public OptionalDouble homeAltitudeM() {
+    return report().map(MissionReport::homeAltitude).orElse(OptionalDouble.empty());
   }
 
   /** Newest battery state. */
