@@ -326,7 +326,7 @@ public final class RemoteSystem {
             broker.hostInAddress(),
             broker.port(),
             id,
-            new MessageCodec(MessageTypes.discovered()),
+            new MessageCodec(MessageTypes.loadable(this::tell)),
             BrokerAccess.of(user, passwordFile, !caFile.isEmpty(), caFile))
         .ofTool()
         .waiting(timeoutS); // the broker may be restarting

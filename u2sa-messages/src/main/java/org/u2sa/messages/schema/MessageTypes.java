@@ -3,16 +3,21 @@ package org.u2sa.messages.schema;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
+import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
+import java.util.function.Consumer;
 import org.u2sa.messages.cbor.Limits;
 import org.u2sa.messages.cbor.MalformedMessageException;
 
 /** The message types that a reader knows. Immutable. */
 public final class MessageTypes {
+  private static final int MAX_FAULTS = 100; // of extensions
+
   private final LinkedHashMap<String, MessageType<?>> byName; // never modified
 
   private MessageTypes(LinkedHashMap<String, MessageType<?>> byName) {
@@ -35,6 +40,29 @@ public final class MessageTypes {
       extensions.addAll(provider.messageTypes());
     }
     return of(extensions);
+  }
+
+  /**
+   * Those of {@link #discovered()} that can be loaded, for programs that must not fail because of
+   * an extension, such as one that stops a vehicle.
+   *
+   * @param missing receives why the types of an extension are missing
+   */
+  public static MessageTypes loadable(Consumer<String> missing) {
+    Iterator<MessageTypeProvider> providers =
+        ServiceLoader.load(MessageTypeProvider.class).iterator();
+    MessageTypes types = of(Collections.emptyList());
+    boolean isMore = true;
+    for (int faults = 0; isMore && faults < MAX_FAULTS; ) {
+      try {
+        isMore = providers.hasNext();
+        types = isMore ? types.with(providers.next().messageTypes()) : types;
+      } catch (ServiceConfigurationError | LinkageError | IllegalArgumentException e) {
+        faults++;
+        missing.accept("message types of an extension are missing: " + e.getMessage());
+      }
+    }
+    return types;
   }
 
   /**

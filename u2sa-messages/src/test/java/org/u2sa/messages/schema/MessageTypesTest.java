@@ -3,8 +3,16 @@ package org.u2sa.messages.schema;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.IOException;
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.ServiceConfigurationError;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.messages.cbor.MalformedMessageException;
@@ -102,5 +110,25 @@ class MessageTypesTest {
   void discovered_providerOnTheClassPath_isAsked() {
     assertThat(MessageTypes.discovered().byName("Tide")).contains(EvolutionTest.Tide.TYPE);
     assertThat(types.byName("Tide")).isEmpty();
+  }
+
+  @Test
+  void loadable_extensionThatIsMissing_leavesTheOthersAndSaysSo(@TempDir Path folder)
+      throws IOException {
+    Path services = Files.createDirectories(folder.resolve("META-INF/services"));
+    Files.writeString(
+        services.resolve(MessageTypeProvider.class.getName()), "com.example.Missing\n");
+    Thread thread = Thread.currentThread();
+    ClassLoader before = thread.getContextClassLoader();
+    List<String> missing = new ArrayList<>();
+    try (URLClassLoader loader = new URLClassLoader(new URL[] {folder.toUri().toURL()}, before)) {
+      thread.setContextClassLoader(loader);
+
+      assertThat(MessageTypes.loadable(missing::add).byName("EmergencyStop")).isPresent();
+      assertThat(missing).singleElement().asString().contains("com.example.Missing");
+      assertThatThrownBy(MessageTypes::discovered).isInstanceOf(ServiceConfigurationError.class);
+    } finally {
+      thread.setContextClassLoader(before);
+    }
   }
 }
