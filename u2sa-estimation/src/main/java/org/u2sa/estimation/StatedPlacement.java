@@ -33,7 +33,7 @@ public final class StatedPlacement {
   /**
    * Differences from a vehicle, in words.
    *
-   * @param mounted positions of its sensors, by service: forward, right, down [m]
+   * @param mounted positions of its sensors, by their names: forward, right, down [m]
    * @param start where it starts
    */
   public List<String> differences(Map<String, Point> mounted, Geodetic start) {

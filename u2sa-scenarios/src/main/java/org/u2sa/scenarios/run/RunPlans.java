@@ -11,6 +11,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.PayloadDrop;
 import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.mission.Home;
@@ -49,7 +50,9 @@ public final class RunPlans {
   }
 
   /**
-   * The plan of any mission: waypoints on the earth or in a local frame. Other goals are omitted.
+   * The plan of any mission: waypoints on the earth or in a local frame. Other goals are omitted,
+   * and so are payload drops: an aeroplane releases the payload far before the place where it must
+   * land.
    *
    * @param local plane at the origin of the local frames
    */
@@ -57,7 +60,7 @@ public final class RunPlans {
       Domain domain, Mission mission, RunPlan.Start home, LocalPlane local) {
     List<RunPlan.Waypoint> waypoints = new ArrayList<>();
     for (GoalInformation goal : mission.goals()) {
-      if (goal instanceof Waypoint waypoint) {
+      if (goal instanceof Waypoint waypoint && !(goal instanceof PayloadDrop)) {
         waypoint(waypoint, local.origin()).ifPresent(waypoints::add);
       }
     }

@@ -76,8 +76,12 @@ class RunPlansTest {
     RunPlan plan =
         placed(
             "<waypoint><name>a</name><x>10</x><y>54</y></waypoint>"
-                + "<objectGoal><name>b</name><objectType>buoy</objectType><within>1</within></objectGoal>");
+                + "<objectGoal><name>b</name><objectType>buoy</objectType><within>1</within></objectGoal>"
+                + "<payloadDrop><name>c</name><x>10</x><y>54</y><z>50</z><payload>PARCEL</payload></payloadDrop>");
 
-    assertThat(plan.waypoints()).extracting(RunPlan.Waypoint::name).containsExactly("a");
+    assertThat(plan.waypoints())
+        .as("where an aeroplane releases is not where the payload lands")
+        .extracting(RunPlan.Waypoint::name)
+        .containsExactly("a");
   }
 }

@@ -46,7 +46,7 @@ public final class VehicleDevices implements ServiceContext.DeviceSource {
   private final long seed;
   private Supplier<List<SimulatedTraffic.Other>> traffic = List::of;
   private final Map<String, SimulatedSwitch> switches = new ConcurrentHashMap<>(); // by service
-  private final Map<String, Point> mounted = new ConcurrentHashMap<>(); // by service
+  private final Map<String, Point> mounted = new ConcurrentHashMap<>(); // by sensor's name
   private final Map<String, NoiseStreams> noise = new HashMap<>(); // by service
 
   /**
@@ -120,7 +120,7 @@ public final class VehicleDevices implements ServiceContext.DeviceSource {
     for (Map.Entry<String, Double> each : entry.variables().entrySet()) {
       unlessStated(service, each.getKey(), each.getValue());
     }
-    mounted.put(name, entry.place());
+    mounted.put(stated(service, "SENSOR NAME").orElse(name), entry.place());
     Device<?> device =
         entry.make(Aboard.of(run, clock::micros, () -> traffic.get(), streams(name)));
     if (device instanceof SimulatedSwitch output) {
@@ -130,8 +130,8 @@ public final class VehicleDevices implements ServiceContext.DeviceSource {
   }
 
   /**
-   * Positions on the vehicle of the services' receivers, IMUs and velocity logs, by service:
-   * forward, right, down [m]. Thread-safe.
+   * Positions on the vehicle of the services' receivers, IMUs and velocity logs, by the sensors'
+   * names: forward, right, down [m]. Thread-safe.
    */
   public Map<String, Point> mounted() {
     return Map.copyOf(mounted);
