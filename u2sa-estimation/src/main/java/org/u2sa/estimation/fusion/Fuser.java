@@ -127,7 +127,9 @@ final class Fuser {
       SourceTrust.raise(s.trust, at, PersistentErrors.ALL_WHITE); // until the scatter is known
     }
     boolean isLog = quantity == SensedQuantity.BODY_VELOCITY && tuning.domain().isInWater();
-    if (isLog) {
+    boolean isThroughWater =
+        quantity == SensedQuantity.FLUID_VELOCITY && tuning.domain().isInWater();
+    if (isLog || isThroughWater && m.has(quantity, 2)) {
       SourceTrust.suppose(s.trust, at);
     }
     int delay = delays.slot(s, quantity, source);

@@ -3,6 +3,7 @@ package org.u2sa.estimation.fusion;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Random;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -20,9 +21,11 @@ class NoisyVelocityLogTest {
   private static final int SEEDS = 8;
 
   private final Measurement m = new Measurement();
+  private SensedQuantity quantity = SensedQuantity.BODY_VELOCITY;
   private Random random;
   private ErrorStateFilter filter;
   private double worstSigmas;
+  private double fastestMps; // vertically
 
   private double gauss(double sigma) {
     return sigma * random.nextGaussian();
@@ -58,7 +61,7 @@ class NoisyVelocityLogTest {
   private void log(long micros, double times) {
     m.begin("Log", micros);
     for (int axis = 0; axis < 3; axis++) {
-      m.set(SensedQuantity.BODY_VELOCITY, axis, gauss(times * CLAIM_MPS), CLAIM_MPS);
+      m.set(quantity, axis, gauss(times * CLAIM_MPS), CLAIM_MPS);
     }
     filter.add(m);
   }
@@ -72,6 +75,7 @@ class NoisyVelocityLogTest {
     filter.add(m.velocity(gauss(0.05), gauss(0.05), 0.05));
     Estimate e = filter.at(micros);
     double offM = Math.abs(e.altitudeM() - home.altitudeM());
+    fastestMps = Math.max(fastestMps, Math.abs(e.velocityMps(2)));
     worstSigmas = Math.max(worstSigmas, offM / e.positionSigmaM(2));
   }
 
@@ -84,6 +88,16 @@ class NoisyVelocityLogTest {
       assertThat(report.gated()).as("seed %s", seed).isLessThan(3L);
       assertThat(report.sigmaFactor()).isBetween(0.7 * times, 1.4 * times);
     }
+    assertThat(worstSigmas).isLessThan(4.0);
+  }
+
+  @Test
+  void add_noisySpeedsThroughTheWater_verticalSpeedStaysSmall() {
+    quantity = SensedQuantity.FLUID_VELOCITY;
+    for (int seed = 1; seed <= 20; seed++) {
+      lieStill(seed, 10.0, 0.0, 30.0);
+    }
+    assertThat(fastestMps).isLessThan(0.7);
     assertThat(worstSigmas).isLessThan(4.0);
   }
 
