@@ -126,6 +126,12 @@ final class Fuser {
     if (PersistentErrors.isPosition(slot) && s.trust[at + SourceTrust.LEARNT] == 0.0) {
       SourceTrust.raise(s.trust, at, PersistentErrors.ALL_WHITE); // until the scatter is known
     }
+    boolean isLog = quantity == SensedQuantity.BODY_VELOCITY && tuning.domain().isInWater();
+    boolean isThroughWater =
+        quantity == SensedQuantity.FLUID_VELOCITY && tuning.domain().isInWater();
+    if (isLog || isThroughWater && m.has(quantity, 2)) {
+      SourceTrust.suppose(s.trust, at);
+    }
     int delay = delays.slot(s, quantity, source);
     if (starts.begin(s, m, quantity, at, slot)) {
       DelayErrors.share(s, delay);
@@ -176,7 +182,6 @@ final class Fuser {
       s.trust[at + SourceTrust.GATED]++;
       return;
     }
-    boolean isLog = quantity == SensedQuantity.BODY_VELOCITY && tuning.domain().isInWater();
     trust.learn(s, at, linear, update.expected, isLog);
     SourceTrust.notedNis(s, at, nis);
     double runs = runs(s, source, quantity, isGauge);

@@ -68,6 +68,8 @@ final class SourceTrust {
 
   private static final double OUTLIER_MEMORY = 100.0; // vectors
   private static final double PRIOR = 10.0; // weight of the claim, in innovations
+  private static final double UNTESTED = 25.0; // factor assumed of a log's claim at first
+  private static final double UNTESTED_PRIOR = 3.0; // weight of that, in innovations
   private static final double LARGEST = 25.0; // cap of one innovation, as a multiple of variance
   private static final double ROBUST = 3.0; // the same for sources with outliers
   private static final double ROBUST_MEAN = 0.858; // of a χ² of one degree of freedom, thus capped
@@ -164,6 +166,17 @@ final class SourceTrust {
     return shown < NOTEWORTHY ? 1.0 : Math.min(HIGHEST, shown);
   }
 
+  /**
+   * Assumes a factor until the first innovations show the actual one: a few vectors used with too
+   * small a sigma give the accelerometer biases wrong values, and the following ones are rejected.
+   */
+  static void suppose(double[] t, int at) {
+    if (t[at + LEARNT] == 0.0) {
+      t[at + FACTOR] = UNTESTED;
+      t[at + LEARNT] = UNTESTED_PRIOR;
+    }
+  }
+
   /** Restarts learning from the given factor. */
   static void raise(double[] t, int at, double factor) {
     t[at + FACTOR] = factor;
@@ -175,12 +188,13 @@ final class SourceTrust {
    *
    * @param expected variance of each component due to the state's uncertainty
    * @param hasOutliers whether up to a seventh of the vectors may be wrong: they are rejected, so
-   *     they must not count as scatter of the others
+   *     they must not count as scatter of the others, unless many are rejected in a row
    */
   void learn(FilterState s, int at, Linearization model, double[] expected, boolean hasOutliers) {
     double[] t = s.trust;
-    double cap = hasOutliers ? ROBUST : LARGEST;
-    double mean = hasOutliers ? ROBUST_MEAN : 1.0;
+    boolean isRobust = hasOutliers && t[at + STREAK] <= MAX_ALONE;
+    double cap = isRobust ? ROBUST : LARGEST;
+    double mean = isRobust ? ROBUST_MEAN : 1.0;
     if (t[at + LEARNT] == 0.0) {
       t[at + FACTOR] = 1.0;
       t[at + LEARNT] = PRIOR;
