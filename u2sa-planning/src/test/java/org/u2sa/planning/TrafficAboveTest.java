@@ -90,4 +90,23 @@ class TrafficAboveTest extends VerticalFlight {
     assertThat(highestM).isLessThan(thenM + 0.5);
     assertThat(upM).isBetween(0.5, thenM - 4.0);
   }
+
+  /** Its velocity is only known when the vehicle is already within its separation. */
+  @Test
+  void takeOff_trafficWithinItsSeparationBeginsToDescend_descendsAgain() {
+    kit.with("REACTION TIME", 1.0);
+    start(0.0);
+    begin(new TakeOff().z(-60.0));
+    while (upM < 17.0) {
+      step(0.0);
+    }
+    double beganS = kit.nowS();
+    while (kit.nowS() < beganS + 10.0) {
+      double highM = 40.0 - 1.5 * (kit.nowS() - beganS);
+      Sphere other = crossing(kit.nowS(), 0.0, highM, SEPARATION_M + 1.0);
+      other.motion().velocity(Point.of(0.0, 0.0, 1.5));
+      step(0.0, other);
+    }
+    assertThat(upM).isLessThan(7.0);
+  }
 }

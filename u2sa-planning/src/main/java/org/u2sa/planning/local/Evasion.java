@@ -21,6 +21,9 @@ final class Evasion {
   private static final double OTHER_SIDE = 0.3; // cost of turning to the other side, in reaches
   private static final double ASIDE_RAD = Math.toRadians(10.0);
   private static final double SAME_M = 0.02; // smaller differences of gaps to traffic are ignored
+  private static final double CLEARLY_M =
+      1.0; // difference of gaps that justifies a climb or descent
+  private static final double CLEARLY_S = 0.5; // likewise of the times of closest approach
 
   private final MotionForecast forecast;
   private final MotionLimits limits;
@@ -151,17 +154,34 @@ final class Evasion {
     if (forecast.standing(Double.NaN).meetsS() >= limits.horizonS()) {
       return wantedM;
     }
+    if (room == null) {
+      return 0.0;
+    }
     double bestM = 0.0;
-    double longestS = room == null ? NEVER : forecast.standing(room.downM()).meetsS();
-    double[] others = room == null ? new double[0] : room.altitudes(limits.horizonS());
-    for (double downM : others) {
+    Outcome longest = forecast.standing(room.downM());
+    for (double downM : room.altitudes(limits.horizonS())) {
       Outcome there = forecast.standing(downM);
-      if (there.freeM() == NEVER && there.meetsS() > longestS && longestS < limits.horizonS()) {
-        longestS = there.meetsS();
+      if (there.freeM() == NEVER && keepsAwayLonger(there, longest)) {
+        longest = there;
         bestM = downM - room.downM();
       }
     }
     return bestM;
+  }
+
+  /**
+   * Whether traffic comes too close later than in another motion. Inside the clearance, all motions
+   * are too close before the vehicle can react: then it must clearly stay farther away or, if the
+   * traffic passes equally close, be passed clearly later.
+   */
+  private boolean keepsAwayLonger(Outcome there, Outcome other) {
+    if (Math.max(there.meetsS(), other.meetsS()) > limits.reactionS()) {
+      return other.meetsS() < limits.horizonS() && there.meetsS() > other.meetsS();
+    }
+    double fartherM = there.gapM() - other.gapM();
+    return Math.abs(fartherM) > CLEARLY_M
+        ? fartherM > 0.0
+        : there.nearestS() > other.nearestS() + CLEARLY_S;
   }
 
   /**

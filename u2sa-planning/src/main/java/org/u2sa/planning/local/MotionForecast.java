@@ -30,10 +30,12 @@ final class MotionForecast {
    * @param freeM distance to the first static obstacle [m]; infinite if none
    * @param meetsS time until traffic is too close [s]; infinite within the horizon
    * @param gapM minimum distance to traffic within the horizon [m]; infinite without traffic
+   * @param nearestS time of that minimum [s]; 0 without traffic
    * @param roomM mean distance to traffic in that time, up to {@link TrafficForecast#ROOMY_M} [m]
    * @param lacksM shortfall of the preferred distance to static obstacles: RMS along the path [m]
    */
-  record Outcome(double freeM, double meetsS, double gapM, double roomM, double lacksM) {}
+  record Outcome(
+      double freeM, double meetsS, double gapM, double nearestS, double roomM, double lacksM) {}
 
   MotionForecast(
       CostGrid costs,
@@ -101,7 +103,13 @@ final class MotionForecast {
     }
     double stopM = Math.max(0.0, Math.min(motion.endM(), alone.freeM() - costs.frame().cellM()));
     Outcome among = play(motion, stopM, true);
-    return new Outcome(alone.freeM(), among.meetsS(), among.gapM(), among.roomM(), alone.lacksM());
+    return new Outcome(
+        alone.freeM(),
+        among.meetsS(),
+        among.gapM(),
+        among.nearestS(),
+        among.roomM(),
+        alone.lacksM());
   }
 
   /**
@@ -249,6 +257,7 @@ final class MotionForecast {
   private final class Tally {
     private double meetsS = NEVER;
     private double gapM = NEVER;
+    private double nearestS;
     private double roomM;
     private int looks;
     private double lacked; // squared shortfall integrated along the path [m³]
@@ -261,7 +270,10 @@ final class MotionForecast {
 
     void look(Pose at, double downM, double seconds) {
       double gap = traffic.gapM(at, downM, seconds);
-      gapM = Math.min(gapM, gap);
+      if (gap < gapM) {
+        gapM = gap;
+        nearestS = seconds;
+      }
       roomM += Math.min(TrafficForecast.ROOMY_M, gap);
       looks++;
       if (meetsS == NEVER && traffic.meets(at, downM, seconds)) {
@@ -271,7 +283,8 @@ final class MotionForecast {
 
     Outcome outcome(double freeM) {
       double room = looks == 0 ? TrafficForecast.ROOMY_M : roomM / looks;
-      return new Outcome(freeM, meetsS, gapM, room, way == 0.0 ? 0.0 : Math.sqrt(lacked / way));
+      double lacksM = way == 0.0 ? 0.0 : Math.sqrt(lacked / way);
+      return new Outcome(freeM, meetsS, gapM, nearestS, room, lacksM);
     }
   }
 }
