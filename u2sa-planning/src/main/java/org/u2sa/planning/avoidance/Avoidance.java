@@ -52,6 +52,7 @@ public final class Avoidance {
   private final VerticalEvasion climbing;
   private final StraightFlight straight;
   private final VerticalGuard vertical;
+  private final InPlaceEvasion inPlace;
   private final DriftWatch drift;
   private PlanningPlane plane;
   private Optional<GoalAttempt> attempt = Optional.empty(); // set at the first step
@@ -118,6 +119,7 @@ public final class Avoidance {
     straight = new StraightFlight(world);
     vertical = new VerticalGuard(world, say);
     drift = new DriftWatch(settings);
+    inPlace = new InPlaceEvasion(world, climbing, settings, lines, say, this::arcs);
   }
 
   /** Estimates the drift of the vehicle, whatever its goal. */
@@ -133,9 +135,10 @@ public final class Avoidance {
     return world;
   }
 
-  /** Receives the fence in force: vertical evasion keeps away from its limits. */
+  /** Receives the fence in force: evasions in place keep away from its limits. */
   public void see(FenceState fence) {
     climbing.see(fence);
+    inPlace.see(fence);
   }
 
   public boolean turnsOnTheSpot() {
@@ -203,7 +206,8 @@ public final class Avoidance {
 
   /**
    * Shortens the climb or descent to the next point of a vehicle that can stop: to the clearance of
-   * obstacles above or below and, unless a step has led there, so that it keeps away from traffic.
+   * obstacles above or below and, unless a step has led there, so that it keeps away from traffic,
+   * if necessary to the side.
    *
    * @param goal UID of the goal
    * @param ground ground known below the vehicle
@@ -222,65 +226,23 @@ public final class Avoidance {
     lieOn(world.plane(state));
     Point at = vehicle.on(plane);
     Point way = vehicle.ned(point.point());
-    double apartM = way.z();
+    Point apart = way;
     double downM = way.z();
     if (VerticalGuard.matters(way)) {
       if (steppedMicros != vehicle.timestampMicros()) {
         world.update(state, at.x(), at.y(), at.z(), at.z() + way.z());
-        apartM = amongTraffic(vehicle, state, at, way, ground);
+        apart = inPlace.way(goal, vehicle, state, way, ground);
       }
-      Point apart = Point.of(way.x(), way.y(), apartM);
       downM = vertical.untilObstacle(vehicle, at, apart, ground.landing(), body(now), now);
-      point.point(vehicle.body(Point.of(way.x(), way.y(), downM)));
+      point.point(vehicle.body(Point.of(apart.x(), apart.y(), downM)));
     }
-    boolean byObstacle = downM != apartM;
-    return vertical.heldUp(goal, vehicle, way, byObstacle || apartM != way.z(), byObstacle, now);
+    boolean byObstacle = downM != apart.z();
+    return vertical.heldUp(goal, vehicle, way, downM != way.z(), byObstacle, now);
   }
 
   /** Whether obstacles or traffic above or below held the vehicle up at the last state. */
   public boolean isHeldUp() {
     return vertical.isHeldUp();
-  }
-
-  /**
-   * Vertical way that keeps away from traffic: the wanted one, none, or up, down [m]. Over known
-   * ground, a descent to land leads away from what is above, and the vehicle does not climb towards
-   * that either.
-   */
-  private double amongTraffic(
-      Vehicle vehicle, StateInformation state, Point at, Point way, KnownGround ground) {
-    AvoidanceVariables now = settings.get();
-    Place to = vehicle.place().at(vehicle.place().upM().orElseThrow() - way.z());
-    Optional<Point> spot = ground.spot(vehicle, at);
-    Optional<VerticalRoom> room = climbing.room(state, at, way, to, now, world, plane, spot);
-    List<Mover> traffic = room.isPresent() ? world.allMovers() : world.movers();
-    if (traffic.isEmpty()) {
-      return way.z();
-    }
-    Wanted wanted = new Wanted("", to, 0.0, OptionalDouble.empty(), OptionalDouble.empty());
-    Pose pose = new Pose(at.x(), at.y(), vehicle.headingRad());
-    double cellM = world.costs().frame().cellM();
-    Situation situation = Situation.of(pose, way, wanted, vehicle, cellM, now, lines.get());
-    double keptM = body(now).circleM() + now.trafficClearance();
-    long micros = vehicle.timestampMicros();
-    if (way.z() > 0.0 && VerticalGuard.isOver(traffic, at, keptM, micros)) {
-      return 0.0;
-    }
-    List<Mover> above =
-        spot.isPresent() ? VerticalGuard.above(traffic, at, micros) : List.<Mover>of();
-    List<Mover> minded = new ArrayList<>(traffic);
-    if (ground.lands() && way.z() > 0.0) {
-      minded.removeAll(above);
-    }
-    boolean isFree = arcs(situation, vehicle, minded, room).inPlaceM(way.z()) == way.z();
-    if (isFree || ground.touchesDown()) {
-      return way.z();
-    }
-    boolean isBelow =
-        spot.filter(low -> KnownGround.isLow(low, at)).isPresent()
-            || arcs(situation, vehicle, above, room).inPlaceM(way.z()) != way.z();
-    return arcs(situation, vehicle, traffic, isBelow ? room.map(VerticalRoom::withoutClimb) : room)
-        .inPlaceM(way.z());
   }
 
   /** Called when a waypoint was reached: blocks the way back. */

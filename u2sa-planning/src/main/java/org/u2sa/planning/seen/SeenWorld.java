@@ -125,6 +125,11 @@ public final class SeenWorld {
     return objects().stream().map(reader::shape).collect(Collectors.toList());
   }
 
+  /** Outline of an object or area on the state's plane. */
+  public PlanarShape outline(ObjectDescription object, StateInformation state) {
+    return new ObjectReader(plane(state), state).shape(object);
+  }
+
   /** Newest objects; only those in vehicle axes while the vehicle's position is unknown. */
   public List<ObjectDescription> objects() {
     List<ObjectDescription> all = objects == null ? List.of() : objects.objects();
