@@ -208,6 +208,11 @@ final class GroundStay {
     return landed;
   }
 
+  /** Whether it has left the ground and has not landed. */
+  boolean flies() {
+    return left && !landed;
+  }
+
   /** Whether holding means staying on the ground. */
   boolean stays() {
     return landed || (!left && (isAeroplane.getAsBoolean() || takesOff));

@@ -18,6 +18,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.Landing;
+import org.u2sa.messages.goal.TakeOff;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.safety.ManualState;
@@ -62,6 +63,7 @@ public class PathPlanner extends EventDrivenService {
   private final Avoidance avoidance;
   private final RightOfWayWatch rightOfWay;
   private final BlindStand blind;
+  private final HoverPlace hover;
   private final GoalReports reports;
   private final MissionTime time = new MissionTime();
   private final ViewPoints view = new ViewPoints(settings(ViewPoints.Variables.class));
@@ -102,6 +104,7 @@ public class PathPlanner extends EventDrivenService {
             avoidance.world(),
             this::say,
             this::remark);
+    hover = new HoverPlace(avoidance);
     blind = new BlindStand(this, avoidance, () -> avoidance.isOn() || rightOfWay.isOn(), seeing);
     reports =
         new GoalReports(
@@ -272,6 +275,7 @@ public class PathPlanner extends EventDrivenService {
       holdAt = Optional.empty();
       reports.forget();
       end.leave();
+      hover.leave();
     }
     byHand = state.active();
     if (byHand) {
@@ -318,6 +322,7 @@ public class PathPlanner extends EventDrivenService {
       reports.forget();
     }
     end.leave();
+    hover.leave();
   }
 
   private void plan(StateInformation state, boolean stateless) {
@@ -378,6 +383,13 @@ public class PathPlanner extends EventDrivenService {
     Vehicle vehicle = Vehicle.of(state).orElseThrow();
     List<NavigationPoint> points =
         climb(Optional.empty(), vehicle).map(List::of).orElseGet(() -> end.plan(vehicle, place));
+    return hovering(points, state);
+  }
+
+  /** The points at which it holds, or those that evade traffic. */
+  private List<NavigationPoint> hovering(List<NavigationPoint> held, StateInformation state) {
+    evade(held, state);
+    List<NavigationPoint> points = held.isEmpty() && mayEvade() ? hover.points(state) : held;
     KnownGround below = new KnownGround(ground.stoodAt(), false, false);
     guard("", points, below, state); // it waits at its altitude
     return points;
@@ -434,6 +446,7 @@ public class PathPlanner extends EventDrivenService {
       return atEnd(state);
     }
     end.leave();
+    hover.leave();
     holdAt = Optional.empty();
     Optional<GoalInformation> after =
         new GoalChoice(goals.get())
@@ -460,7 +473,7 @@ public class PathPlanner extends EventDrivenService {
                 vehicle ->
                     ground.rise(chosen, vehicle).or(() -> climb(Optional.of(chosen), vehicle)))
             .map(up -> Plan.underWay(List.of(up)))
-            .orElseGet(() -> planner.get().plan(pursuit));
+            .orElseGet(() -> aside(planner.get().plan(pursuit), chosen, state));
     Plan plan = guarded(next, chosen, planner.get().touchesDown(), state);
     ground.lead(chosen, plan, planner.get().touchesDown(), clock().micros());
     if (!plan.remark().isEmpty()) {
@@ -489,11 +502,39 @@ public class PathPlanner extends EventDrivenService {
     return goesOn && why.isPresent() ? Plan.unless(why, next.points()) : next;
   }
 
+  /**
+   * The step, or an evasion of traffic unless it leads straight up or down from or to the ground.
+   */
+  private Plan aside(Plan next, GoalInformation to, StateInformation state) {
+    boolean isOverGround =
+        to instanceof TakeOff
+            || to instanceof Landing && distanceM(to, state, false) < KnownGround.REACH_M;
+    if (!isOverGround) {
+      evade(next.points(), state);
+    }
+    return next;
+  }
+
+  private void evade(List<NavigationPoint> points, StateInformation state) {
+    Optional<NavigationPoint> point = points.stream().filter(PathPlanner::isOwn).findFirst();
+    if (mayEvade() && point.isPresent()) {
+      avoidance.evade(Vehicle.of(state).orElseThrow(), state, point.get());
+    }
+  }
+
+  private static boolean isOwn(NavigationPoint point) {
+    return point.subsystem().equals("VEHICLE");
+  }
+
+  private boolean mayEvade() {
+    return ground.flies() && !byHand;
+  }
+
   private Optional<String> guard(
       String uid, List<NavigationPoint> points, KnownGround below, StateInformation state) {
     Vehicle vehicle = Vehicle.of(state).orElseThrow();
     return points.stream()
-        .filter(point -> point.subsystem().equals("VEHICLE"))
+        .filter(PathPlanner::isOwn)
         .findFirst()
         .flatMap(point -> avoidance.guard(uid, vehicle, state, point, below));
   }
@@ -520,7 +561,7 @@ public class PathPlanner extends EventDrivenService {
       return ground.points(vehicle);
     }
     boolean holds = failsafe == FailsafeAction.RETURN || settings.get().holdsAtEnd();
-    return holds ? hold(state, holdAt) : List.of();
+    return holds ? hold(state, holdAt) : hovering(List.of(), state);
   }
 
   private void publish(List<NavigationPoint> points, StateInformation state) {

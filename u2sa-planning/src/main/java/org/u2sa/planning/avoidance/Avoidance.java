@@ -39,6 +39,7 @@ import org.u2sa.planning.seen.SeenWorld;
  */
 public final class Avoidance {
   private static final String NONE = "NONE";
+  private static final double IN_PLACE_M = 2.0; // beside or above, within which it is at a place
 
   private final Supplier<String> chosen;
   private final Supplier<AvoidanceVariables> settings;
@@ -54,6 +55,7 @@ public final class Avoidance {
   private final VerticalGuard vertical;
   private final InPlaceEvasion inPlace;
   private final DriftWatch drift;
+  private final HoverEvasion hover;
   private PlanningPlane plane;
   private Optional<GoalAttempt> attempt = Optional.empty(); // set at the first step
   private Optional<ArcChoice> before = Optional.empty(); // last choice, on the plane
@@ -120,6 +122,7 @@ public final class Avoidance {
     vertical = new VerticalGuard(world, say);
     drift = new DriftWatch(settings);
     inPlace = new InPlaceEvasion(world, climbing, settings, lines, say, this::arcs);
+    hover = new HoverEvasion(world, climbing, settings, lines, say, this::arcs);
   }
 
   /** Estimates the drift of the vehicle, whatever its goal. */
@@ -135,10 +138,11 @@ public final class Avoidance {
     return world;
   }
 
-  /** Receives the fence in force: evasions in place keep away from its limits. */
+  /** Receives the fence in force: evasions in place, or from it, keep away from its limits. */
   public void see(FenceState fence) {
     climbing.see(fence);
     inPlace.see(fence);
+    hover.see(fence);
   }
 
   public boolean turnsOnTheSpot() {
@@ -205,6 +209,46 @@ public final class Avoidance {
   }
 
   /**
+   * Changes the point to which an aircraft that can stop flies straight, or at which it hovers, if
+   * traffic comes too close there or on the way, unless a step has led there. A climb or descent in
+   * place is left to {@link #guard}.
+   *
+   * @return whether it evades traffic
+   */
+  public boolean evade(Vehicle vehicle, StateInformation state, NavigationPoint point) {
+    AvoidanceVariables now = settings.get();
+    long micros = vehicle.timestampMicros();
+    if (!guards(now, state)
+        || steppedMicros == micros
+        || world.age().trouble(micros, now.worldStaleMicros()).isPresent()) {
+      return false;
+    }
+    lieOn(world.plane(state));
+    Point at = vehicle.on(plane);
+    Point way = vehicle.ned(point.point());
+    boolean isLevel = Math.abs(way.z()) < IN_PLACE_M;
+    if (!isLevel && Math.hypot(way.x(), way.y()) < IN_PLACE_M) {
+      return false;
+    }
+    world.update(state, at.x(), at.y(), at.z(), at.z() + way.z());
+    Optional<ArcChoice> choice = hover.choose(vehicle, state, way);
+    if (choice.isPresent()) {
+      steppedMicros = micros;
+      before = choice;
+      Wanted here =
+          new Wanted("", vehicle.place(), 0.0, OptionalDouble.empty(), OptionalDouble.empty());
+      Step step = step(choice.get(), at, way, here, Optional.empty());
+      point.point(vehicle.body(step.ned())).speed(step.speedMps()).backwards(step.backwards());
+    }
+    return choice.isPresent();
+  }
+
+  /** Whether it looks at what is above and below a vehicle that can stop. */
+  private boolean guards(AvoidanceVariables now, StateInformation state) {
+    return isOn() && now.stops() && now.verticalClearance() > 0.0 && state.z().isPresent();
+  }
+
+  /**
    * Shortens the climb or descent to the next point of a vehicle that can stop: to the clearance of
    * obstacles above or below and, unless a step has led there, so that it keeps away from traffic,
    * if necessary to the side.
@@ -220,7 +264,7 @@ public final class Avoidance {
       NavigationPoint point,
       KnownGround ground) {
     AvoidanceVariables now = settings.get();
-    if (!isOn() || !now.stops() || now.verticalClearance() == 0.0 || state.z().isEmpty()) {
+    if (!guards(now, state)) {
       return Optional.empty();
     }
     lieOn(world.plane(state));

@@ -15,7 +15,7 @@ import org.u2sa.planning.guidance.Vehicle;
  */
 public record KnownGround(Optional<Place> place, boolean lands, boolean touchesDown) {
   /** Radius around the place in which the ground counts as level [m]. */
-  static final double REACH_M = 10.0;
+  public static final double REACH_M = 10.0;
 
   private static final double LOW_M = 1.0; // height of a touch-down
 

@@ -3,13 +3,9 @@ package org.u2sa.planning.avoidance;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
-import java.util.function.Predicate;
-import java.util.stream.Stream;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.safety.FenceState;
-import org.u2sa.messages.shape.Polygon;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.search.BodyDiscs;
@@ -32,18 +28,19 @@ final class SideStep {
 
   private final SeenWorld world;
   private final BiConsumer<String, Boolean> say;
-  private Optional<FenceState> fence = Optional.empty();
+  private final FenceAreas fence;
   private String goal = "";
   private Optional<Place> aside = Optional.empty(); // where the climb to the goal continues
 
   SideStep(SeenWorld world, BiConsumer<String, Boolean> say) {
     this.world = world;
     this.say = say;
+    fence = new FenceAreas(world);
   }
 
   /** Receives the fence in force, whose areas it respects. */
   void see(FenceState inForce) {
-    fence = Optional.of(inForce);
+    fence.see(inForce);
   }
 
   /**
@@ -141,26 +138,11 @@ final class SideStep {
       double east = at.y() + (to.y() - at.y()) * i / steps;
       boolean isBlocked = world.costs().distanceM(north, east) - body.circleM() < touchM;
       boolean nears = Math.hypot(north - traffic.x(), east - traffic.y()) < leastM;
-      if (isBlocked || nears || isForbidden(north, east, state)) {
+      if (isBlocked || nears || fence.isForbidden(north, east, state)) {
         return false;
       }
     }
     return true;
-  }
-
-  /** Whether it is outside the fence, or a fence of another frame is in force. */
-  private boolean isForbidden(double north, double east, StateInformation state) {
-    List<Polygon> inside = fence.map(FenceState::keepIn).orElse(List.of());
-    List<Polygon> outside = fence.map(FenceState::keepOut).orElse(List.of());
-    boolean onEarth = world.plane(state).onEarth();
-    boolean isForeign =
-        Stream.concat(inside.stream(), outside.stream())
-            .map(Polygon::referenceFrame)
-            .anyMatch(frame -> onEarth ? !frame.equals(ReferenceFrame.GLOBAL) : !frame.isLocal());
-    Predicate<Polygon> contains = area -> world.outline(area, state).isInside(north, east);
-    return isForeign
-        || !inside.isEmpty() && inside.stream().noneMatch(contains)
-        || outside.stream().anyMatch(contains);
   }
 
   private static double awayM(Point one, Point other) {

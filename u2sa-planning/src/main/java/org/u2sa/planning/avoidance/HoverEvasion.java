@@ -1,0 +1,103 @@
+package org.u2sa.planning.avoidance;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.BiConsumer;
+import java.util.function.Supplier;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.safety.FenceState;
+import org.u2sa.planning.avoidance.Avoidance.Wanted;
+import org.u2sa.planning.avoidance.InPlaceEvasion.Arcs;
+import org.u2sa.planning.curve.Pose;
+import org.u2sa.planning.guidance.LineSettings;
+import org.u2sa.planning.guidance.Place;
+import org.u2sa.planning.guidance.Vehicle;
+import org.u2sa.planning.local.ArcChoice;
+import org.u2sa.planning.local.VerticalRoom;
+import org.u2sa.planning.seen.Mover;
+import org.u2sa.planning.seen.SeenWorld;
+
+/**
+ * Keeps an aircraft that hovers, or flies straight to where it will hover, away from traffic: to
+ * the side inside the fence, up or down. Confined to the planner's thread.
+ */
+final class HoverEvasion {
+  private static final long LASTS_MICROS = 10 * Clock.MICROS_PER_SECOND;
+
+  private final SeenWorld world;
+  private final VerticalEvasion climbing;
+  private final FenceAreas fence;
+  private final Supplier<AvoidanceVariables> settings;
+  private final Supplier<LineSettings> lines;
+  private final BiConsumer<String, Boolean> say;
+  private final Arcs arcs;
+  private long lastMicros = Long.MIN_VALUE / 2; // of the last evasion
+  private boolean isBraking;
+
+  HoverEvasion(
+      SeenWorld world,
+      VerticalEvasion climbing,
+      Supplier<AvoidanceVariables> settings,
+      Supplier<LineSettings> lines,
+      BiConsumer<String, Boolean> say,
+      Arcs arcs) {
+    this.world = world;
+    this.climbing = climbing;
+    this.settings = settings;
+    this.lines = lines;
+    this.say = say;
+    this.arcs = arcs;
+    fence = new FenceAreas(world);
+  }
+
+  /** Receives the fence in force. */
+  void see(FenceState inForce) {
+    fence.see(inForce);
+  }
+
+  /**
+   * Evasive motion, as of the last update of the world; empty if the way is free of traffic.
+   *
+   * @param way to the next point: north, east, down [m]
+   */
+  Optional<ArcChoice> choose(Vehicle vehicle, StateInformation state, Point way) {
+    AvoidanceVariables now = settings.get();
+    Point at = vehicle.on(world.plane(state));
+    Place to = vehicle.place().at(vehicle.place().upM().orElseThrow() - way.z());
+    Optional<VerticalRoom> room =
+        climbing.room(state, at, way, to, now, world, world.plane(state), Optional.empty());
+    List<Mover> traffic = room.isPresent() ? world.allMovers() : world.movers();
+    if (traffic.isEmpty()) {
+      return Optional.empty();
+    }
+    Wanted wanted = new Wanted("", to, 0.0, OptionalDouble.empty(), OptionalDouble.empty());
+    Pose pose = new Pose(at.x(), at.y(), vehicle.headingRad());
+    double cellM = world.costs().frame().cellM();
+    Situation situation = Situation.of(pose, way, wanted, vehicle, cellM, now, lines.get());
+    Optional<ArcChoice> choice =
+        arcs.among(situation, vehicle, traffic, room)
+            .asideOf(
+                situation.goalNorthM(),
+                situation.goalEastM(),
+                (north, east) -> !fence.isForbidden(north, east, state));
+    choice.ifPresent(evasion -> tell(evasion, at, vehicle.timestampMicros()));
+    return choice;
+  }
+
+  private void tell(ArcChoice evasion, Point at, long micros) {
+    boolean isNew = micros - lastMicros > LASTS_MICROS;
+    boolean brakes = evasion.kind() == ArcChoice.Kind.BRAKE;
+    if (isNew) {
+      say.accept("traffic comes to where it hovers: evading until it has passed", false);
+    }
+    if (brakes && (isNew || !isBraking)) {
+      say.accept("collision imminent: braking", true);
+    }
+    isBraking = brakes;
+    lastMicros = micros;
+    climbing.chosen(evasion, at, micros);
+  }
+}

@@ -1,0 +1,222 @@
+package org.u2sa.planning;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.ObjectList;
+import org.u2sa.messages.frame.Attitude;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.Station;
+import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.messages.safety.FailsafeState;
+import org.u2sa.messages.safety.FenceState;
+import org.u2sa.messages.shape.MovingSphere;
+import org.u2sa.messages.shape.Polygon;
+import org.u2sa.planning.guidance.Leg;
+
+/** A multirotor that hovers, and traffic that comes to where it is. */
+class HoverTrafficTest extends PlannedVehicle {
+  private static final double STEP_S = 0.25;
+  private static final double TURN_RAD = Math.toRadians(11.0); // in a step
+  private static final double UP_M = 60.0;
+  private static final double SEPARATION_M = 20.0;
+  private static final double NEAREST_M = 12.0; // from the middle of the separation, at least
+  private static final double COMES_S = 30.0; // when the traffic is at the place
+  private static final double END_S = 65.0;
+  private static final String SAID = "traffic comes to where it hovers";
+
+  private Point at = Point.of(0.0, 0.0, -UP_M);
+  private Point velocity = Point.ORIGIN;
+  private Point held = at; // place at which it hovers
+  private double nearestM = Double.POSITIVE_INFINITY;
+  private double farthestM; // from the place
+  private double mostEastM;
+  private double headingRad;
+
+  private void start(double clearanceM) {
+    kit.with("PLANNER", "GRID").with("VERTICAL CLEARANCE", clearanceM).with("EVASION CLIMB", 2.0);
+    kit.with("TRAFFIC CLEARANCE", 5.0).with("TRAFFIC HORIZON", 20.0).with("CLEARANCE", 3.0);
+    kit.with("INFLATION", 6.0).with("PLANNING CELL", 1.0).with("PLANNING SPAN", 200.0);
+    kit.with("LOOK AHEAD", 8.0).with("PLANNED SPEED", 8.0).with("REACTION TIME", 0.5);
+    kit.with("PLANNED ACCELERATION", 2.0).with("PLANNED BRAKING", 2.0);
+    kit.start(PathPlanner::new);
+  }
+
+  /** Flies on; the traffic passes the place at {@link #COMES_S}. */
+  private void step(Point mps) {
+    kit.advance(STEP_S);
+    Point other = held.plus(mps.times(kit.nowS() - COMES_S));
+    MovingSphere drone = new MovingSphere().radius(SEPARATION_M);
+    drone.uid("drone").objectType("drone").referenceFrame(ReferenceFrame.LOCAL_NED);
+    drone.x(other.x()).y(other.y()).z(other.z());
+    drone.motion().velocity(mps);
+    kit.publish(Channels.OBJECTS, new ObjectList().objects(List.of(drone)));
+    kit.publish(
+        Channels.STATE,
+        state(at.x(), at.y(), headingRad)
+            .z(at.z())
+            .xDot(velocity.x())
+            .yDot(velocity.y())
+            .zDot(velocity.z())
+            .phi(0.0)
+            .theta(0.0));
+    velocity = newest().map(this::velocity).orElse(Point.ORIGIN);
+    at = at.plus(velocity.times(STEP_S));
+    nearestM = Math.min(nearestM, at.minus(other).distance());
+    farthestM = Math.max(farthestM, at.minus(held).distance());
+    mostEastM = Math.max(mostEastM, at.y());
+  }
+
+  private Optional<NavigationPoint> newest() {
+    return kit.latest(Channels.NAVIGATION)
+        .filter(point -> point.timestamp().orElse(0L) == kit.clock().micros());
+  }
+
+  private Point velocity(NavigationPoint point) {
+    Point ned = new Attitude(0.0, 0.0, headingRad).nedOf(point.point());
+    double awayM = Math.hypot(ned.x(), ned.y());
+    double turnRad = awayM < 1.0 ? 0.0 : Leg.wrapped(Math.atan2(ned.y(), ned.x()) - headingRad);
+    headingRad += Math.max(-TURN_RAD, Math.min(TURN_RAD, turnRad));
+    double mps = Math.min(point.speed().orElse(3.0), awayM) / Math.max(0.01, awayM);
+    return Point.of(mps * ned.x(), mps * ned.y(), Math.max(-2.0, Math.min(2.0, ned.z())));
+  }
+
+  private void hover(Point mps) {
+    while (kit.nowS() < END_S) {
+      step(mps);
+    }
+  }
+
+  private void lead(Point mps, double seconds) {
+    goals(waypoint("1", 500.0, 0.0).z(-UP_M));
+    while (kit.nowS() < seconds) {
+      step(mps);
+    }
+    held = at;
+    nearestM = Double.POSITIVE_INFINITY;
+    farthestM = 0.0;
+  }
+
+  private static GoalInformation station() {
+    Station station = new Station();
+    station.horizontalThreshold(2.0).x(0.0).y(0.0).z(-UP_M);
+    return station.uid("st").referenceFrame(ReferenceFrame.LOCAL_NED);
+  }
+
+  private void pause() {
+    kit.publish(
+        Channels.GOALS,
+        new GoalList().goals(List.of(waypoint("1", 500.0, 0.0).z(-UP_M))).paused(true));
+  }
+
+  private void assertEvadedOnceAndReturned() {
+    assertThat(nearestM).isGreaterThan(NEAREST_M);
+    assertThat(at.minus(held).distance()).isLessThan(4.0);
+    assertThat(logged(SAID)).isEqualTo(1);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"0, 5, 0", "5, 0, 0", "0, 0, -1.5", "0, 0, 1.5"})
+  void station_trafficComes_evadesAndReturns(double north, double east, double down) {
+    start(5.0);
+    goals(station());
+    hover(Point.of(north, east, down));
+    assertEvadedOnceAndReturned();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"STOP", "HOLD"})
+  void paused_trafficComes_evadesAndReturns(String atEnd) {
+    kit.with("AT END", atEnd);
+    start(5.0);
+    lead(Point.of(0.0, 5.0, 0.0), 3.0);
+    pause();
+    hover(Point.of(0.0, 5.0, 0.0));
+    assertEvadedOnceAndReturned();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"STOP", "HOLD"})
+  void failsafeHold_trafficComes_evadesAndReturns(String atEnd) {
+    kit.with("AT END", atEnd);
+    start(5.0);
+    lead(Point.of(0.0, 5.0, 0.0), 3.0);
+    kit.publish(
+        Channels.FAILSAFE, new FailsafeState().action(FailsafeAction.HOLD).causes(List.of("test")));
+    hover(Point.of(0.0, 5.0, 0.0));
+    assertEvadedOnceAndReturned();
+  }
+
+  @Test
+  void missionOver_trafficComes_evadesAndReturns() {
+    start(5.0);
+    lead(Point.of(5.0, 0.0, 0.0), 3.0);
+    goals();
+    hover(Point.of(5.0, 0.0, 0.0));
+    assertEvadedOnceAndReturned();
+  }
+
+  @Test
+  void paused_trafficPassesFarAway_getsNoPoints() {
+    kit.with("AT END", "STOP");
+    start(5.0);
+    lead(Point.of(0.0, 5.0, 0.0), 3.0);
+    held = at.plus(Point.of(80.0, 0.0, 0.0));
+    pause();
+    hover(Point.of(0.0, 5.0, 0.0));
+    assertThat(newest()).isEmpty();
+    assertThat(logged(SAID)).isEqualTo(0);
+  }
+
+  @Test
+  void paused_fenceOnOneSide_evadesInsideIt() {
+    kit.with("AT END", "STOP");
+    start(5.0);
+    Polygon area = new Polygon();
+    area.points(
+        List.of(
+            Point.of(-300.0, -300.0, 0.0),
+            Point.of(300.0, -300.0, 0.0),
+            Point.of(300.0, 6.0, 0.0),
+            Point.of(-300.0, 6.0, 0.0)));
+    area.x(0.0).y(0.0).z(0.0);
+    area.uid("fence").objectType("fence").referenceFrame(ReferenceFrame.LOCAL_NED);
+    kit.publish(Channels.FENCE, new FenceState().keepIn(List.of(area)).keepOut(List.of()));
+    lead(Point.of(5.0, 0.0, 0.0), 3.0);
+    pause();
+    hover(Point.of(5.0, 0.0, 0.0));
+    assertThat(nearestM).isGreaterThan(NEAREST_M);
+    assertThat(mostEastM).isLessThan(6.0);
+  }
+
+  /** As a ground vehicle: heights do not matter. */
+  @Test
+  void paused_withoutVerticalClearance_stays() {
+    kit.with("AT END", "STOP");
+    start(0.0);
+    lead(Point.of(0.0, 5.0, 0.0), 3.0);
+    pause();
+    hover(Point.of(0.0, 5.0, 0.0));
+    assertThat(farthestM).isLessThan(1.0);
+    assertThat(newest()).isEmpty();
+  }
+
+  /** Without a take-off it may have started in the air, but it was never led. */
+  @Test
+  void paused_neverLeftTheGround_stays() {
+    start(5.0);
+    pause();
+    hover(Point.of(0.0, 5.0, 0.0));
+    assertThat(farthestM).isLessThan(0.5);
+  }
+}
