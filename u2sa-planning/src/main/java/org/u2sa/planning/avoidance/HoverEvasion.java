@@ -29,7 +29,7 @@ final class HoverEvasion {
 
   private final SeenWorld world;
   private final VerticalEvasion climbing;
-  private final FenceAreas fence;
+  private final AllowedAreas fence;
   private final Supplier<AvoidanceVariables> settings;
   private final Supplier<LineSettings> lines;
   private final BiConsumer<String, Boolean> say;
@@ -50,7 +50,7 @@ final class HoverEvasion {
     this.lines = lines;
     this.say = say;
     this.arcs = arcs;
-    fence = new FenceAreas(world);
+    fence = new AllowedAreas(world);
   }
 
   /** Receives the fence in force. */

@@ -28,14 +28,14 @@ final class SideStep {
 
   private final SeenWorld world;
   private final BiConsumer<String, Boolean> say;
-  private final FenceAreas fence;
+  private final AllowedAreas fence;
   private String goal = "";
   private Optional<Place> aside = Optional.empty(); // where the climb to the goal continues
 
   SideStep(SeenWorld world, BiConsumer<String, Boolean> say) {
     this.world = world;
     this.say = say;
-    fence = new FenceAreas(world);
+    fence = new AllowedAreas(world);
   }
 
   /** Receives the fence in force, whose areas it respects. */

@@ -11,11 +11,11 @@ import org.u2sa.messages.shape.Polygon;
 import org.u2sa.planning.seen.SeenWorld;
 
 /** Areas of the fence in force, on the planning plane. Confined to the planner's thread. */
-final class FenceAreas {
+final class AllowedAreas {
   private final SeenWorld world;
   private Optional<FenceState> fence = Optional.empty();
 
-  FenceAreas(SeenWorld world) {
+  AllowedAreas(SeenWorld world) {
     this.world = world;
   }
 
