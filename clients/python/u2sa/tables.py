@@ -1231,6 +1231,7 @@ MESSAGES = [
         ('began', 'int', 'optional', None, None, None, (), 3, None, False),
         ('resumable', 'text', 'optional', None, None, None, (), 3, 1000, True),
         ('paused', 'bool', 'optional', None, None, None, (), 3, None, False),
+        ('homeAltitude', 'float64', 'optional', None, None, None, (), 3, None, False),
     ]),
     (('GoalClass',), False, [
         ('systemId', 'text', 'optional', None, None, None, (), 1, 255, False),

@@ -162,7 +162,8 @@ final class MessageHandling {
     }
     long expired = health.expired();
     if (Long.bitCount(expired) == 1) { // 1, 2, 4, 8…: limits the log
-      String age = saidMicros.isPresent() ? ageMicros / 1_000 / 1e3 + " s old" : "of unknown age";
+      String age =
+          saidMicros.isPresent() ? (ageMicros + 999) / 1_000 / 1e3 + " s old" : "of unknown age";
       String deadline = Clock.seconds(deadlineMicros) + " s (" + expired + " so far): ";
       configuration.log(
           LogLevelEnum.WARN,

@@ -53,7 +53,7 @@ class DeadlineTest {
     assertThat(listener.heard).containsExactly(sent(2_000_000L));
     assertThat(kit.latest(Channels.HEALTH).orElseThrow().expired()).hasValue(1);
     assertThat(kit.log("Listener"))
-        .anyMatch(line -> line.contains("state: message 1.000001 s old counts as absent"));
+        .anyMatch(line -> line.contains("state: message 1.001 s old counts as absent"));
   }
 
   @Test

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
@@ -74,7 +75,7 @@ public final class StatedPlacement {
         " ",
         Arrays.stream(arm)
             .mapToObj(metres -> String.format(Locale.ROOT, "%.2f", metres + 0.0))
-            .toList());
+            .collect(Collectors.toList()));
   }
 
   private static String place(Geodetic at) {

@@ -50,6 +50,6 @@ class MavlinkTrafficTest {
   void read_placeNotOnEarth_isRefused() {
     MavlinkTraffic receiver = hear(AdsbFrames.frame(1, 950_000_000).from(1));
     assertThat(receiver.malformed()).isEqualTo(1);
-    assertThat(receiver.lastRefusal()).startsWith("ADSB_VEHICLE at latitude 95.0,");
+    assertThat(receiver.lastRefusal()).startsWith("ADSB_VEHICLE at latitude 95.0000000,");
   }
 }

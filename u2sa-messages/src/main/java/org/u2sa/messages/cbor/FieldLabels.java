@@ -56,7 +56,7 @@ public final class FieldLabels {
       classes required
       pressure
       takeovers turnRate speedShare turnShare rally
-      turns towardsNext photoDistance lookAt landingStart keepIn keepOut returning withheld
+      turns towardsNext photoDistance lookAt landingStart keepIn keepOut returning withheld homeAltitude
       """;
 
   private static final String[] NAMES = ALL.trim().split("\\s+");

@@ -281,6 +281,9 @@ final class GoldenFormat3 {
         "MissionReport-paused",
         new MissionReport().requestId("q2").serviceName("MissionManager").paused(true));
     golden.add(
+        "MissionReport-home",
+        new MissionReport().requestId("q3").serviceName("MissionManager").homeAltitude(43.3));
+    golden.add(
         "MissionOrder-pause",
         new MissionOrder().requestId("o2").action(MissionAction.PAUSE).operator("anna"));
   }

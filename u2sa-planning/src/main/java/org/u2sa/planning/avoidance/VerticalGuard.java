@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
+import java.util.stream.Collectors;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.planning.guidance.Place;
@@ -133,7 +134,7 @@ final class VerticalGuard {
     return traffic.stream()
         .filter(mover -> Double.isFinite(mover.heights().halfM()))
         .filter(mover -> mover.downAfterM(mover.ageS(micros)) < at.z())
-        .toList();
+        .collect(Collectors.toList());
   }
 
   boolean isHeldUp() {
