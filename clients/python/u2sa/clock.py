@@ -55,7 +55,7 @@ class SystemTime:
                 self._ahead, self._error = ahead, error
 
     def is_settled(self) -> bool:
-        """Whether there is nothing to wait for: an answer agreed with this computer, or the others had twice as long as the first."""
+        """Whether waiting is over: an answer agrees with this computer, or the others have had twice as long as the first one took."""
         with self._lock:
             if self._asked is None or self._first is None:
                 return False

@@ -61,8 +61,8 @@ public final class ClockAgreement {
   }
 
   /**
-   * Whether there is nothing to wait for: an answer agreed with this process's clock, which no
-   * other one can do better, or the others had twice as long as the first one.
+   * Whether waiting is over: an answer agrees with this process's clock, so that no other can be
+   * better, or the others have had twice as long as the first one took.
    */
   public synchronized boolean isReached(long nowMicros) {
     long patience = Math.max(OTHERS_MICROS, 2 * (heardMicros - askedMicros));
