@@ -101,17 +101,16 @@ final class PersistentErrors {
 
   /** Makes errors and position as uncertain as the rounding of the source's coordinates. */
   private static void widen(FilterState s, Measurement m, int slot, int at) {
-    double rounded = 0.0;
-    double claim = 0.0;
-    for (int i = 0; i < 2; i++) {
-      if (m.has(SensedQuantity.PLACE, i)) {
-        int grid = at + SourceTrust.GRID + i * PositionGrid.SIZE;
-        double step = PositionGrid.step(s.trust, grid, m.value(SensedQuantity.PLACE, i));
-        double metres = step * (i == 0 ? s.northRadiusM() : s.axisDistanceM());
-        rounded = Math.max(rounded, metres * metres / UNIFORM);
-        claim = Math.max(claim, m.sigma(SensedQuantity.PLACE, i));
-      }
+    SensedQuantity place = SensedQuantity.PLACE;
+    if (!m.has(place, 0) || !m.has(place, 1)) {
+      return;
     }
+    int grid = at + SourceTrust.GRID;
+    PositionGrid.record(s.trust, grid, m.value(place, 0), m.value(place, 1));
+    double north = PositionGrid.step(s.trust, grid, 0) * s.northRadiusM();
+    double east = PositionGrid.step(s.trust, grid, 1) * s.axisDistanceM();
+    double rounded = Math.max(north * north, east * east) / UNIFORM;
+    double claim = Math.max(m.sigma(place, 0), m.sigma(place, 1));
     double known = claim * claim * Math.max(1.0, s.trust[at + SourceTrust.WANDER]);
     if (rounded > known) {
       s.trust[at + SourceTrust.WANDER] = rounded / (claim * claim);

@@ -63,8 +63,12 @@ final class SourceTrust {
   static final int CLAIM = 40; // claimed variance of an altitude's persistent error [m²]
   static final int ALIGNED = 41; // variance of the altitude that a local frame was aligned with
   static final int OUTLIERS = 42; // fraction of lone vectors beyond the gate, running mean
-  static final int GRID = 43; // of its coordinates, see PositionGrid: two
-  private static final int QUANTITY_SIZE = GRID + 2 * PositionGrid.SIZE;
+  static final int APART_SINCE = 43; // STREAK_SINCE of the following sums
+  static final int APART_COUNT = 44; // velocities that came with positions since then
+  static final int APART = 45; // sum of their differences from the estimate: two
+  static final int APART_VARIANCE = 47; // sum of their variances per axis
+  static final int GRID = 48; // of its coordinates, see PositionGrid
+  private static final int QUANTITY_SIZE = GRID + PositionGrid.SIZE;
 
   private static final double OUTLIER_MEMORY = 100.0; // vectors
   private static final double PRIOR = 10.0; // weight of the claim, in innovations

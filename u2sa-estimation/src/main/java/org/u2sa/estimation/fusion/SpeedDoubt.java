@@ -18,6 +18,7 @@ final class SpeedDoubt {
   private static final double SLOW_MPS = 0.1; // the same if two speeds contradict the positions
   private static final double CALM_S = 3.0; // over which positions must keep their offset
   private static final double MIN_SHARE = 0.5; // fraction of the speed
+  private static final double SIGNIFICANT = 2.0; // standard deviations of a mean velocity
   private static final double JUMP_SHARE = 0.7; // fraction of a difference; drift has no jumps
   private static final double SAME_SPEED = 0.4; // relative difference of two speeds
   private static final double MEMORY_S = 6.0; // time constant of the mean that decides a doubt
@@ -68,7 +69,7 @@ final class SpeedDoubt {
     double jump = t[at + SourceTrust.STREAK_JUMP];
     boolean isNoise = jump < UNLIKELY * Math.sqrt(2.0 * variance);
     boolean isJump = !isNoise && jump > JUMP_SHARE * drift * seconds;
-    boolean isContradicted = isContradicted(s, m, source, drift);
+    boolean isContradicted = isContradicted(s, source, at, drift, -SIGNIFICANT);
     if (isJump || drift < (isContradicted ? SLOW_MPS : least) || drift < UNLIKELY * sigma) {
       return false;
     }
@@ -129,6 +130,7 @@ final class SpeedDoubt {
       FilterState s, Measurement m, Linearization model, int source, int at, double wanderRate) {
     double[] t = s.trust;
     double found = t[at + SourceTrust.DOUBT_MPS];
+    compareVelocity(s, m, source, at);
     if (found == 0.0 || model.rows != 2) {
       return false;
     }
@@ -144,7 +146,7 @@ final class SpeedDoubt {
             / seconds;
     double sigma = driftSigma(s, model, at, wanderRate, seconds);
     boolean isCalm = drift < Math.max(SLOW_MPS / 2.0, UNLIKELY * sigma);
-    if (isCalm || !isContradicted(s, m, source, Math.max(drift, found))) {
+    if (isCalm || !isContradicted(s, source, at, Math.max(drift, found), SIGNIFICANT)) {
       t[at + SourceTrust.DOUBT_MPS] = 0.0;
       t[at + SourceTrust.IS_BIASED] = 0.0;
       differ(s, model);
@@ -153,22 +155,49 @@ final class SpeedDoubt {
     return true;
   }
 
-  private boolean isContradicted(FilterState s, Measurement m, int source, double drift) {
-    return hasAgreeingVelocity(s, m, drift) && !speeds(s, source).isEmpty();
+  private boolean isContradicted(
+      FilterState s, int source, int at, double drift, double toleratedSigmas) {
+    return hasAgreeingVelocity(s, at, drift, toleratedSigmas) && !speeds(s, source).isEmpty();
   }
 
   /**
-   * Whether the velocity that came with the position agrees with the estimate, as another speed
-   * does: then the position is wrong, such as that of a receiver that holds it at low speed.
+   * Whether the velocities that came with the positions agree with the estimate on average, as
+   * another speed does: then the positions are wrong, such as those of a receiver that holds them
+   * at low speed.
+   *
+   * @param toleratedSigmas standard deviations of their mean by which it may differ by more than
+   *     half the drift; if negative, by which it must differ by less
    */
-  private static boolean hasAgreeingVelocity(FilterState s, Measurement m, double drift) {
+  private static boolean hasAgreeingVelocity(
+      FilterState s, int at, double drift, double toleratedSigmas) {
+    double[] t = s.trust;
+    double count = t[at + SourceTrust.APART_COUNT];
+    double sum = Math.hypot(t[at + SourceTrust.APART], t[at + SourceTrust.APART + 1]);
+    double sigma = Math.sqrt(t[at + SourceTrust.APART_VARIANCE]);
+    return count > 0.0 && sum < MIN_SHARE * drift * count + toleratedSigmas * sigma;
+  }
+
+  /** Compares the velocity that came with a position with the estimate's. */
+  private void compareVelocity(FilterState s, Measurement m, int source, int at) {
+    double[] t = s.trust;
     SensedQuantity velocity = SensedQuantity.VELOCITY;
-    return m.has(velocity, 0)
-        && m.has(velocity, 1)
-        && Math.hypot(
-                m.value(velocity, 0) - s.x[FilterState.V],
-                m.value(velocity, 1) - s.x[FilterState.V + 1])
-            < MIN_SHARE * drift;
+    if (t[at + SourceTrust.APART_SINCE] != t[at + SourceTrust.STREAK_SINCE]) {
+      t[at + SourceTrust.APART_SINCE] = t[at + SourceTrust.STREAK_SINCE];
+      t[at + SourceTrust.APART_COUNT] = 0.0;
+      t[at + SourceTrust.APART] = 0.0;
+      t[at + SourceTrust.APART + 1] = 0.0;
+      t[at + SourceTrust.APART_VARIANCE] = 0.0;
+    }
+    boolean isRepeated = t[trust.of(s, source) + SourceTrust.RUN] > 0.0; // no new evidence
+    if (m.has(velocity, 0) && m.has(velocity, 1) && !isRepeated) {
+      double sigma = Math.max(m.sigma(velocity, 0), m.sigma(velocity, 1));
+      boolean isKnown = trust.isKnown(source, velocity);
+      double factor = isKnown ? SourceTrust.factor(s, trust.of(s, source, velocity)) : 1.0;
+      t[at + SourceTrust.APART_COUNT]++;
+      t[at + SourceTrust.APART] += m.value(velocity, 0) - s.x[FilterState.V];
+      t[at + SourceTrust.APART + 1] += m.value(velocity, 1) - s.x[FilterState.V + 1];
+      t[at + SourceTrust.APART_VARIANCE] += factor * sigma * sigma;
+    }
   }
 
   /** Whether the wheel speed matches that velocity, so that only a guessed heading can be wrong. */
