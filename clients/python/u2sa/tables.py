@@ -1858,4 +1858,5 @@ LABELS = (
     'keepOut',
     'returning',
     'withheld',
+    'homeAltitude',
 )
