@@ -114,6 +114,23 @@ class SurroundingsTest {
     assertThat(result.moves()).isFalse();
   }
 
+  /** A sphere about the middle of a body, as it is drawn, does not reach the ground. */
+  @Test
+  void distanceM_walkerWithItsShape_isZeroBesideTheFeet() {
+    MovingSphere drawn = new MovingSphere().radius(0.3);
+    drawn.uid("p1").referenceFrame(ReferenceFrame.LOCAL_ENU).x(-4.0).y(0.0).z(0.9);
+    drawn.timeStep(1.0).trajectory(List.of(Point.of(0.0, 0.0, 0.9)));
+    Cylinder body = new Cylinder().radius(0.3).height(1.8);
+    body.uid("p1").referenceFrame(ReferenceFrame.LOCAL_ENU).x(-4.0).y(0.0).z(0.9);
+    Point feet = Point.of(0.1, 0.0, 0.0);
+
+    assertThat(new Surroundings(List.of(drawn), 0.0).distanceM(drawn, 1.0, feet))
+        .isGreaterThan(0.5);
+    Surroundings shaped = new Surroundings(List.of(drawn), 0.0, List.of(), Map.of("p1", body));
+    assertThat(shaped.distanceM(drawn, 1.0, feet)).isZero();
+    assertThat(shaped.distanceM(drawn, 1.0, Point.of(1.3, 0.0, 0.0))).isCloseTo(1.0, within(1e-9));
+  }
+
   @Test
   void score_towerWithinReach_isAViolationAndNoSuccess() {
     RunScore far = report(99.0, tower("tower", 300.0, 5_000.0, 200.0)).score();
