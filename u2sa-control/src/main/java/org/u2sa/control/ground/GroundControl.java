@@ -166,7 +166,7 @@ abstract class GroundControl extends ControlSystem {
   protected void takeOver(HandOver state) {
     super.takeOver(state);
     if (isDrivenByHand()) {
-      hand.takeOver(state, isSwap);
+      hand.takeOver(state, isSwap, clock().micros());
     }
   }
 

@@ -143,11 +143,15 @@ final class HandDriving {
    * Continues for a predecessor. Only a swap continues its drive: before a restart, the vehicle may
    * have been disarmed, or the driver have let go, so it stands until somebody takes over again.
    */
-  void takeOver(HandOver state, boolean isSwap) {
+  void takeOver(HandOver state, boolean isSwap, long nowMicros) {
     boolean wasActive = state.flag("BY HAND");
     active = wasActive && isSwap;
     operator = state.text("DRIVER").orElse("");
-    hold.await(state.flag("HELD AFTER DRIVE") || wasActive);
+    if (active) {
+      hold.begin();
+    } else {
+      hold.await(state.flag("HELD AFTER DRIVE") || wasActive, nowMicros);
+    }
     obeyed.takeOver(state.texts(OBEYED));
     takeovers = (long) state.number("TAKEOVERS").orElse(0.0);
   }

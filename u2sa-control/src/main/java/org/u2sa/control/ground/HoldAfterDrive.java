@@ -11,21 +11,21 @@ final class HoldAfterDrive {
   private static final long SETTLED_MICROS = 500_000; // a Mission Manager that starts then pauses
 
   private boolean isPaused; // according to the newest goals
-  private boolean isAwaited; // a pause, since a drive began
-  private long endedMicros; // 0: still driven
+  private boolean isDriven;
+  private boolean isAwaited; // a pause, during or since a drive
+  private long endedMicros; // of the drive
   private long newGoalsMicros; // when goals arrived that were sent after the drive; 0: none
 
   void begin() {
+    isDriven = true;
     isAwaited = !isPaused;
-    endedMicros = 0L;
-    newGoalsMicros = 0L;
   }
 
   void see(GoalList goals, long nowMicros) {
     isPaused = goals.paused();
-    isAwaited &= !isPaused;
+    isAwaited = !isPaused && (isDriven || isAwaited);
     boolean isNew = goals.timestamp().orElse(nowMicros) > endedMicros; // not retained
-    if (isAwaited && endedMicros != 0L && newGoalsMicros == 0L && isNew) {
+    if (isAwaited && !isDriven && newGoalsMicros == 0L && isNew) {
       newGoalsMicros = nowMicros;
     }
   }
@@ -35,7 +35,11 @@ final class HoldAfterDrive {
    * service does not pause, half a second after it has sent goals again.
    */
   boolean holds(long nowMicros) {
-    endedMicros = endedMicros == 0L ? nowMicros : endedMicros;
+    if (isDriven) {
+      isDriven = false;
+      endedMicros = nowMicros;
+      newGoalsMicros = 0L;
+    }
     isAwaited &= newGoalsMicros == 0L || nowMicros - newGoalsMicros <= SETTLED_MICROS;
     return isAwaited;
   }
@@ -44,8 +48,9 @@ final class HoldAfterDrive {
     return isAwaited;
   }
 
-  /** Continues for a predecessor. */
-  void await(boolean predecessors) {
+  /** Continues for a predecessor whose drive has ended. */
+  void await(boolean predecessors, long nowMicros) {
     isAwaited = predecessors;
+    endedMicros = nowMicros;
   }
 }

@@ -237,6 +237,22 @@ class HandDrivingTest {
     }
   }
 
+  /** As by a Mission Manager that forgets the drive when it is replaced. */
+  @Test
+  void end_pausedBeforeTheDriveAndContinuedDuringIt_stands() {
+    try (RoverDrive drive = differential()) {
+      drive.missions.kill();
+      drive.kit.publish(Channels.GOALS, goals(drive, true));
+      order(drive, true, "Ann");
+      drive.kit.publish(Channels.GOALS, goals(drive, false));
+      hold(drive, by("Ann").speed(0.6), 2.0);
+      order(drive, false, "Ann");
+      drive.until(() -> false, 5.0);
+
+      assertThat(speed(drive)).isCloseTo(0.0, within(0.02));
+    }
+  }
+
   @Test
   void end_goalsOfAServiceThatDoesNotPause_standsUntilItSendsThemAgain() {
     try (RoverDrive drive = differential()) {

@@ -22,6 +22,9 @@ final class CauseText {
 
   /** A value below a limit, rounded down to hundredths: it never reads like the limit. */
   static String below(double value) {
+    if (!Double.isFinite(value)) {
+      return String.valueOf(value); // a safety step must not fail for its text
+    }
     return String.valueOf(BigDecimal.valueOf(value).setScale(2, RoundingMode.FLOOR).doubleValue());
   }
 

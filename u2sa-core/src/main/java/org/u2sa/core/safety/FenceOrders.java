@@ -16,9 +16,9 @@ import org.u2sa.service.inbox.AnsweredOrders;
  * answered again but not executed again.
  */
 final class FenceOrders {
-  private final FenceWatch watch;
   private static final String ANSWERED = "ANSWERED FENCE ORDERS";
 
+  private final FenceWatch watch;
   private final Function<FenceOrder, Optional<String>> lateness;
   private final AnsweredOrders<FenceOrderResult> answered = new AnsweredOrders<>();
 
