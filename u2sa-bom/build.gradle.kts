@@ -25,6 +25,7 @@ dependencies {
         api(project(":u2sa-gcs"))
         api(project(":u2sa-cli"))
         api(project(":u2sa-flightgear"))
+        api(project(":u2sa-trials"))
         api(project(":u2sa-scenarios"))
         api(project(":u2sa-spark"))
     }

@@ -5,7 +5,7 @@ plugins {
 description = "Campaigns on Apache Spark, which is taken from SPARK_HOME when one begins."
 
 dependencies {
-    api(project(":u2sa-scenarios"))
+    api(project(":u2sa-trials"))
     // To compile against only: at run time Spark's processes have SPARK_HOME/jars, and ours have none of it.
     compileOnly(libs.spark.core) {
         isTransitive = false

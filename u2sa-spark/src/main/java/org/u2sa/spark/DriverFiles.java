@@ -8,8 +8,8 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Stream;
-import org.u2sa.scenarios.campaign.RunBackend;
-import org.u2sa.scenarios.campaign.WorkerProcess;
+import org.u2sa.trials.campaign.RunBackend;
+import org.u2sa.trials.campaign.WorkerProcess;
 
 /** The start-up files of {@link SparkDriver}, in a temporary folder that is deleted on close. */
 final class DriverFiles implements AutoCloseable {

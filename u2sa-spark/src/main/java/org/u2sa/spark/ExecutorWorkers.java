@@ -12,7 +12,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.apache.spark.SparkFiles;
 import org.apache.spark.api.java.function.Function;
-import org.u2sa.scenarios.campaign.WorkerProcess;
+import org.u2sa.trials.campaign.WorkerProcess;
 
 /**
  * The worker processes of one Spark executor: one per core, each executing runs sequentially.

@@ -11,7 +11,7 @@ import java.util.jar.JarOutputStream;
 import java.util.zip.Deflater;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
-import org.u2sa.scenarios.campaign.FolderArchive;
+import org.u2sa.trials.campaign.FolderArchive;
 
 /**
  * Archive of this program for other hosts: every class path entry, numbered in order, under {@value

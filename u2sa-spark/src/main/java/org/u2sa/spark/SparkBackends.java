@@ -1,8 +1,8 @@
 package org.u2sa.spark;
 
 import java.nio.file.Path;
-import org.u2sa.scenarios.campaign.RunBackend;
-import org.u2sa.scenarios.campaign.RunBackendProvider;
+import org.u2sa.trials.campaign.RunBackend;
+import org.u2sa.trials.campaign.RunBackendProvider;
 
 /** Provides backends that use the Spark installation of {@code SPARK_HOME}. */
 public final class SparkBackends implements RunBackendProvider {

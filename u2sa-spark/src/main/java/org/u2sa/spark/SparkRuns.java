@@ -9,10 +9,10 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.function.BiConsumer;
 import org.u2sa.interfaces.RunFailedException;
-import org.u2sa.scenarios.campaign.RunAnswer;
-import org.u2sa.scenarios.campaign.RunBackend;
-import org.u2sa.scenarios.campaign.RunLine;
-import org.u2sa.scenarios.campaign.RunRequest;
+import org.u2sa.trials.campaign.RunAnswer;
+import org.u2sa.trials.campaign.RunBackend;
+import org.u2sa.trials.campaign.RunLine;
+import org.u2sa.trials.campaign.RunRequest;
 
 /** Executes runs as Spark tasks, with the driver in a separate process. */
 final class SparkRuns implements RunBackend {

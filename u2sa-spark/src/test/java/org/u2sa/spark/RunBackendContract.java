@@ -18,9 +18,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.cli.command.ExitCode;
-import org.u2sa.scenarios.campaign.RunAnswer;
-import org.u2sa.scenarios.campaign.RunBackend;
-import org.u2sa.scenarios.campaign.RunRequest;
+import org.u2sa.trials.campaign.RunAnswer;
+import org.u2sa.trials.campaign.RunBackend;
+import org.u2sa.trials.campaign.RunRequest;
 
 /** What a campaign relies on, wherever its runs are made. The runs are {@link TrialCommand}s. */
 @Timeout(600)

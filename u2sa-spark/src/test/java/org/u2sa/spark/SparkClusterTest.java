@@ -19,8 +19,8 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.cli.command.ExitCode;
-import org.u2sa.scenarios.campaign.RunBackend;
-import org.u2sa.scenarios.campaign.RunRequest;
+import org.u2sa.trials.campaign.RunBackend;
+import org.u2sa.trials.campaign.RunRequest;
 
 /** Spark with a master and two workers. Needs SPARK_HOME. */
 @Tag("spark")

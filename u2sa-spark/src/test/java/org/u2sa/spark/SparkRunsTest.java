@@ -2,7 +2,7 @@ package org.u2sa.spark;
 
 import java.nio.file.Path;
 import org.junit.jupiter.api.Tag;
-import org.u2sa.scenarios.campaign.RunBackend;
+import org.u2sa.trials.campaign.RunBackend;
 
 /** Spark with two cores of this machine. Needs SPARK_HOME. */
 @Tag("spark")

@@ -86,6 +86,21 @@ final class HouseRules {
               "flightgear",
               List.of("messages", "interfaces", "service", "mission", "control", "sim")),
           Map.entry(
+              "trials",
+              List.of(
+                  "messages",
+                  "interfaces",
+                  "service",
+                  "mission",
+                  "estimation",
+                  "world",
+                  "core",
+                  "drivers",
+                  "sim",
+                  "report",
+                  "gcs",
+                  "cli")),
+          Map.entry(
               "scenarios",
               List.of(
                   "messages",
@@ -93,20 +108,17 @@ final class HouseRules {
                   "service",
                   "device",
                   "mission",
-                  "estimation",
                   "planning",
                   "world",
                   "control",
                   "core",
                   "vision",
-                  "drivers",
-                  "recorder",
                   "sim",
                   "report",
-                  "gcs",
                   "cli",
-                  "flightgear")),
-          Map.entry("spark", List.of("interfaces", "cli", "scenarios")),
+                  "flightgear",
+                  "trials")),
+          Map.entry("spark", List.of("interfaces", "cli", "trials")),
           Map.entry(
               "android",
               List.of(
@@ -161,7 +173,7 @@ final class HouseRules {
           ROOT + "interfaces.log.LogFile", // on the disk's thread, through the console
           // Programs without a vehicle in real time
           ROOT + "scenarios.barn.BarnMain",
-          ROOT + "scenarios.campaign.WorkerMain",
+          ROOT + "trials.campaign.WorkerMain",
           ROOT + "spark.ExecutorWorkers",
           ROOT + "spark.SparkDriver");
 

@@ -78,8 +78,9 @@ class HouseRulesBiteTest {
           arrows of flightgear    | package org.u2sa.flightgear; class Bad { org.u2sa.gcs.G g; }
           arrows of gcs           | package org.u2sa.gcs; class Bad { org.u2sa.sim.X x; }
           arrows of gcs           | package org.u2sa.gcs; class Bad { org.u2sa.scenarios.N n; }
-          arrows of scenarios     | package org.u2sa.scenarios.campaign; class Bad { org.u2sa.spark.K k; }
-          Spark                   | package org.u2sa.scenarios.campaign; class Bad { org.apache.spark.SparkConf c; }
+          arrows of scenarios     | package org.u2sa.scenarios.ugv; class Bad { org.u2sa.spark.K k; }
+          arrows of trials        | package org.u2sa.trials.campaign; class Bad { org.u2sa.scenarios.N n; }
+          Spark                   | package org.u2sa.trials.campaign; class Bad { org.apache.spark.SparkConf c; }
           known packages          | package org.u2sa.elsewhere; class Bad {}
           named by subject        | package org.u2sa.core.util; class Bad {}
           named by subject        | package org.u2sa.core.impl.mission; class Bad {}

@@ -68,6 +68,7 @@ class HouseRulesTest {
                 "gcs",
                 "cli",
                 "flightgear",
+                "trials",
                 "scenarios",
                 "spark"))
         .allSatisfy(

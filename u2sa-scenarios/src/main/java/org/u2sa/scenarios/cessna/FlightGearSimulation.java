@@ -14,9 +14,9 @@ import org.u2sa.flightgear.link.EmbeddedStart;
 import org.u2sa.flightgear.protocol.ProtocolFiles;
 import org.u2sa.interfaces.RunFailedException;
 import org.u2sa.mission.Mission;
-import org.u2sa.scenarios.run.HomeFolder;
-import org.u2sa.scenarios.run.Simulation;
 import org.u2sa.sim.aircraft.RunwayStart;
+import org.u2sa.trials.run.HomeFolder;
+import org.u2sa.trials.run.Simulation;
 
 /**
  * FlightGear, started headless by {@code scripts/flightgear/start} on this machine and stopped

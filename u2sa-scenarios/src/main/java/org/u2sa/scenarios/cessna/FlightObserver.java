@@ -13,12 +13,12 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.report.score.RunOutcome;
 import org.u2sa.report.score.RunPlan;
 import org.u2sa.report.score.TrackSample;
-import org.u2sa.scenarios.run.RunObserver;
-import org.u2sa.scenarios.run.RunRecord;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 import org.u2sa.service.U2SAService;
+import org.u2sa.trials.run.RunObserver;
+import org.u2sa.trials.run.RunRecord;
 
 /**
  * Records the ground truth of a flight for scoring and display. In: truth, goals, goal-reports,

@@ -10,9 +10,9 @@ import org.u2sa.flightgear.link.StandInFlightGear;
 import org.u2sa.flightgear.link.StandInSetup;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.mission.Mission;
-import org.u2sa.scenarios.run.Simulation;
 import org.u2sa.sim.aircraft.Cessna172;
 import org.u2sa.sim.atmosphere.Wind;
+import org.u2sa.trials.run.Simulation;
 
 /**
  * Embedded aircraft in real time that speaks FlightGear's protocol, on free ports of this machine.

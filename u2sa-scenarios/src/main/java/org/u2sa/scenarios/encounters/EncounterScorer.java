@@ -12,8 +12,8 @@ import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.report.ReportFile;
 import org.u2sa.report.score.RunOutcome;
-import org.u2sa.scenarios.run.TruthObserver;
 import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.trials.run.TruthObserver;
 
 /** Feeds a run to its score, and writes the score to {@code encounters.txt}. */
 final class EncounterScorer implements TruthObserver.Scorer {

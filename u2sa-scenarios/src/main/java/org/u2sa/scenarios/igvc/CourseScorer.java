@@ -11,8 +11,8 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.report.ReportFile;
 import org.u2sa.report.score.RunOutcome;
-import org.u2sa.scenarios.run.TruthObserver;
 import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.trials.run.TruthObserver;
 
 /** Feeds a run to the judge and the film, and writes their results at the end. */
 final class CourseScorer implements TruthObserver.Scorer {

@@ -10,10 +10,10 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.shape.PolyLine;
 import org.u2sa.report.score.RunOutcome;
-import org.u2sa.scenarios.run.TruthObserver;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Footprint;
 import org.u2sa.sim.world.World;
+import org.u2sa.trials.run.TruthObserver;
 
 /**
  * Judges a run by the competition's rules and ground truth: no part of the vehicle on a line

@@ -16,9 +16,9 @@ import org.u2sa.report.ReportFile;
 import org.u2sa.report.score.RunOutcome;
 import org.u2sa.scenarios.roboboat.gate.Gate;
 import org.u2sa.scenarios.roboboat.subvehicle.QuadrotorOnDeck;
-import org.u2sa.scenarios.run.TruthObserver;
 import org.u2sa.sim.vehicle.RunningVehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.trials.run.TruthObserver;
 
 /**
  * Scores a run by ground truth: speed gates, and the channel out and back, in order and each in its

@@ -24,7 +24,6 @@ import org.u2sa.messages.safety.ManualState;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.report.ReportFile;
 import org.u2sa.report.score.RunOutcome;
-import org.u2sa.scenarios.run.TruthObserver;
 import org.u2sa.scenarios.suas.score.BoundaryCount;
 import org.u2sa.scenarios.suas.score.ObjectScore;
 import org.u2sa.scenarios.suas.score.ReportedTrack;
@@ -32,6 +31,7 @@ import org.u2sa.scenarios.suas.score.ScoreSheet;
 import org.u2sa.scenarios.suas.score.WaypointScore;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.ScriptedMover;
+import org.u2sa.trials.run.TruthObserver;
 import org.u2sa.vision.survey.SurveyTarget;
 
 /**

@@ -7,11 +7,11 @@ import java.util.function.Supplier;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.report.score.RunOutcome;
-import org.u2sa.scenarios.run.TruthObserver;
-import org.u2sa.scenarios.run.VehicleTrial;
 import org.u2sa.sim.ground.DriveCommand;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Terrain;
+import org.u2sa.trials.run.TruthObserver;
+import org.u2sa.trials.run.VehicleTrial;
 
 /**
  * Counts contacts, and motion of a disarmed vehicle: before arming or after an emergency stop, with

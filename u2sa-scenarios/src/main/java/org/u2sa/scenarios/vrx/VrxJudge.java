@@ -9,9 +9,9 @@ import java.util.Map;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.report.ReportFile;
 import org.u2sa.report.score.RunOutcome;
-import org.u2sa.scenarios.run.TruthObserver;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Footprint;
+import org.u2sa.trials.run.TruthObserver;
 
 /**
  * Times a task and scores it by ground truth. The ready state begins when the vehicle is armed:

@@ -8,13 +8,13 @@ import java.util.stream.Collectors;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.scenarios.run.SimulatedWorld;
 import org.u2sa.sim.atmosphere.Wind;
 import org.u2sa.sim.world.CurrentField;
 import org.u2sa.sim.world.LocalPlane;
 import org.u2sa.sim.world.Water;
 import org.u2sa.sim.world.Waves;
 import org.u2sa.sim.world.World;
+import org.u2sa.trials.run.SimulatedWorld;
 
 /**
  * A task as described by a VRX world.

@@ -25,11 +25,11 @@ import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.planning.PathPlanner;
 import org.u2sa.planning.VectorFieldPlanner;
-import org.u2sa.scenarios.run.SwapOperator;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 import org.u2sa.testkit.Repository;
+import org.u2sa.trials.run.SwapOperator;
 
 /** What the other services see of swaps all along the demo's flight: nothing. */
 class HotSwapGapTest {

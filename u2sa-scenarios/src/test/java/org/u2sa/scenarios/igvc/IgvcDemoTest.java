@@ -14,8 +14,8 @@ import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.shape.PolyLine;
 import org.u2sa.mission.Mission;
 import org.u2sa.report.score.RunPlan;
-import org.u2sa.scenarios.run.DemoFrame;
 import org.u2sa.sim.world.LocalPlane;
+import org.u2sa.trials.run.DemoFrame;
 import org.u2sa.world.xml.WorldFile;
 
 /** The vehicle goes for the middle of a waypoint; the rules count two metres. */

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.trials.run.OutputFolder;
 
 /** Two runs are never mixed in one folder. */
 class OutputFolderTest {

@@ -31,14 +31,14 @@ import org.u2sa.messages.safety.OperatorHeartbeat;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.mission.Mission;
 import org.u2sa.report.score.RunPlan;
-import org.u2sa.scenarios.run.RunPlans;
-import org.u2sa.scenarios.run.VehicleTrial;
 import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 import org.u2sa.service.U2SAService;
 import org.u2sa.sim.file.VehicleFile;
 import org.u2sa.testkit.Repository;
+import org.u2sa.trials.run.RunPlans;
+import org.u2sa.trials.run.VehicleTrial;
 
 /** The plane of the competition, in flight, loses its pilot's radio. */
 class RadioLossFlightTest {

@@ -18,9 +18,9 @@ import org.u2sa.core.launch.SystemFile;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.mission.Mission;
-import org.u2sa.scenarios.run.VehicleTrial;
 import org.u2sa.sim.ground.Hazards;
 import org.u2sa.testkit.Repository;
+import org.u2sa.trials.run.VehicleTrial;
 
 /**
  * A line in the system file adds a sensor, and the vehicle goes on (thesis 5.1, story 9): with the

@@ -21,8 +21,6 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.MagneticModel;
 import org.u2sa.mission.Mission;
 import org.u2sa.report.score.RunPlan;
-import org.u2sa.scenarios.run.RunPlans;
-import org.u2sa.scenarios.run.VehicleTrial;
 import org.u2sa.sim.device.SimulatedCompass;
 import org.u2sa.sim.device.SimulatedGps;
 import org.u2sa.sim.ground.GroundState;
@@ -34,6 +32,8 @@ import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
 import org.u2sa.testkit.Repository;
+import org.u2sa.trials.run.RunPlans;
+import org.u2sa.trials.run.VehicleTrial;
 
 /**
  * The ground vehicle with its GPS and its compass as services of their own (thesis 4.6.3), and the

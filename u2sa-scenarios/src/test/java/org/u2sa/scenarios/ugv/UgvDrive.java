@@ -21,9 +21,6 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.mission.Mission;
 import org.u2sa.report.score.RunPlan;
-import org.u2sa.scenarios.run.RunPlans;
-import org.u2sa.scenarios.run.TruthObserver;
-import org.u2sa.scenarios.run.VehicleTrial;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.sim.file.VehicleFile;
 import org.u2sa.sim.ground.DriveCommand;
@@ -32,6 +29,9 @@ import org.u2sa.sim.ground.Hazards;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.testkit.Repository;
+import org.u2sa.trials.run.RunPlans;
+import org.u2sa.trials.run.TruthObserver;
+import org.u2sa.trials.run.VehicleTrial;
 
 /**
  * A drive of the configured ground vehicle in lockstep, in which a scenario makes things go wrong.

@@ -10,7 +10,6 @@ import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.scenarios.run.VehicleTrial;
 import org.u2sa.sim.device.SensorErrors;
 import org.u2sa.sim.device.SimulatedLoadCell;
 import org.u2sa.sim.file.VehicleFile;
@@ -18,6 +17,7 @@ import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.vehicle.RunningVehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.World;
+import org.u2sa.trials.run.VehicleTrial;
 
 /**
  * The simulated quadrotor on a boat's deck; its own services start when it is switched on. Its

@@ -22,10 +22,10 @@ import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.report.ReportFile;
 import org.u2sa.report.score.RunOutcome;
-import org.u2sa.scenarios.run.TruthObserver;
 import org.u2sa.sim.vehicle.RunningVehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
+import org.u2sa.trials.run.TruthObserver;
 
 /** Scores a run by ground truth: judges of tasks, contacts, and the estimate's errors. */
 public final class SubJudge implements TruthObserver.Scorer {

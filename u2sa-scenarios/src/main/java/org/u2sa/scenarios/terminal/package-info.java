@@ -1,2 +1,0 @@
-/** Terminal output of a run: live status and waypoint table. */
-package org.u2sa.scenarios.terminal;

@@ -1,2 +1,0 @@
-/** The command line's {@code u2sa world}. */
-package org.u2sa.scenarios.world;

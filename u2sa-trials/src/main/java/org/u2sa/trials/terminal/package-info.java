@@ -1,0 +1,2 @@
+/** Terminal output of a run: live status and waypoint table. */
+package org.u2sa.trials.terminal;

@@ -1,0 +1,2 @@
+/** The command line's {@code u2sa world}. */
+package org.u2sa.trials.world;
