@@ -125,6 +125,7 @@ public final class CommandedActuators {
 
   /**
    * Delays the confirmation of emergency stops for a device that can show that it has received one.
+   * None is confirmed while all actuators are unavailable, as those of a lost device.
    *
    * @param stopped whether the device has received the newest stop; asked after the stop was
    *     commanded, and in each {@link #step} until it has
@@ -285,10 +286,17 @@ public final class CommandedActuators {
   }
 
   void reportStops() {
-    unconfirmed = emergency.isStopped() && !deviceStopped.getAsBoolean();
+    unconfirmed = emergency.isStopped() && (isDeviceLost() || !deviceStopped.getAsBoolean());
     if (!unconfirmed) {
       service.heedsEmergencyStops(emergency.identities());
     }
+  }
+
+  /** A device behind a link that hangs may go on with its last commands. */
+  private boolean isDeviceLost() {
+    return !announcements.isEmpty()
+        && announcements.values().stream()
+            .allMatch(each -> each.available().orElse(ALL_PERCENT) <= 0.0);
   }
 
   private void stopUnlessItMayMove() {

@@ -154,6 +154,26 @@ class CommandedActuatorsTest {
   }
 
   @Test
+  void stop_deviceIsLost_isNotConfirmedUntilItIsBack() {
+    Drive drive = start();
+    drive.commands.announce(
+        List.of(
+            new ActuatorAnnouncement().actuatorName("LEFT").minimum(-100.0).maximum(100.0),
+            new ActuatorAnnouncement().actuatorName("RIGHT").minimum(-100.0).maximum(100.0)));
+    drive.commands.available(0.0);
+    stop("Ann 1");
+    drive.commands.step(kit.nowS());
+    kit.advance(2.0);
+    assertThat(drive.results).containsExactly("stopped");
+    assertThat(health().emergencyStops()).hasValue(List.of());
+
+    drive.commands.available("LEFT", 100.0);
+    drive.commands.step(kit.nowS());
+    kit.advance(2.0);
+    assertThat(health().emergencyStops()).hasValue(List.of("Ann 1"));
+  }
+
+  @Test
   void stop_whileCommanded_forgetsTheCommandThoughItIsCleared() {
     Drive drive = start();
     command("LEFT", 10.0);

@@ -4,42 +4,42 @@ import java.util.Optional;
 
 /**
  * Determines whether the board has answered a query sent after a stop: the board executes messages
- * in order, so it has then stopped. Until then the stop is commanded but not confirmed. Called on
- * the service's thread.
+ * in order, so it has then stopped. Until then, and while no board is connected, the stop is
+ * commanded but not confirmed: a board behind a link that hangs goes on with its last pulses,
+ * whether the link was lost before the stop or after it. Called on the service's thread.
  */
 final class StopEcho {
   private static final long FRESH_ANSWERS = 2; // the first may answer an earlier query
 
-  private Optional<BoardSession> stopped = Optional.empty(); // queried after the newest stop
+  private boolean isAwaited;
+  private Optional<BoardSession> asked = Optional.empty(); // after the newest stop
   private long neededAnswers;
 
-  /** Call after the stop has been sent. An absent board outputs nothing and starts neutral. */
+  /** Call after the stop has been sent. */
   void stop(Optional<BoardSession> session) {
-    stopped = session.filter(board -> board.answers().isPresent());
-    if (stopped.isPresent()) {
-      neededAnswers = stopped.get().answers().getAsLong() + FRESH_ANSWERS;
-      stopped.get().askNow();
-    }
+    isAwaited = true;
+    asked = session;
+    neededAnswers = session.map(board -> board.answers().orElse(0L)).orElse(0L) + FRESH_ANSWERS;
+    session.ifPresent(BoardSession::askNow);
   }
 
-  /**
-   * Whether the newest stop is known to have arrived. A board lost before answering may still
-   * output pulses from its last commands, so only its return confirms the stop.
-   */
+  /** Whether the newest stop is known to have arrived. A board that comes back starts neutral. */
   boolean isTaken(Optional<BoardSession> session) {
-    if (stopped.isEmpty()) {
+    if (!isAwaited) {
       return true;
     }
     if (session.isEmpty()) {
       return false;
     }
     BoardSession board = session.get();
-    long needed = board == stopped.get() ? neededAnswers : FRESH_ANSWERS;
-    if (board.answers().orElse(needed) < needed) {
+    boolean isAsked = asked.filter(before -> before == board).isPresent();
+    long needed = isAsked ? neededAnswers : FRESH_ANSWERS;
+    if (board.answers().orElse(needed) < needed) { // without answers: in lockstep
       board.askNow();
       return false;
     }
-    stopped = Optional.empty();
+    isAwaited = false;
+    asked = Optional.empty();
     return true;
   }
 }

@@ -150,6 +150,33 @@ class BadBoardTest {
   }
 
   @Test
+  void isTaken_boardLostBeforeTheStop_neverUntilItIsBack() throws Exception {
+    DeafConnection way = new DeafConnection(on.connection());
+    StopEcho echo = new StopEcho();
+    try (BoardConnector connector = new BoardConnector(way, BoardConnectorTest.PLAN, 1.0)) {
+      connector.start();
+      on.awaitBoardAgain(connector);
+      way.deaf(true);
+      await("the loss")
+          .atMost(TcpBench.PATIENCE)
+          .until(
+              () -> {
+                connector.step(on.clock.micros());
+                return connector.session().isEmpty();
+              });
+
+      echo.stop(connector.session());
+      assertThat(echo.isTaken(connector.session())).isFalse();
+
+      way.deaf(false);
+      on.awaitBoardAgain(connector);
+      await("the confirmation after its return")
+          .atMost(TcpBench.PATIENCE)
+          .until(() -> echo.isTaken(connector.session()));
+    }
+  }
+
+  @Test
   void answers_boardThatServes_becomeMore() {
     try (BoardConnector connector = on.connector()) {
       BoardSession session = on.awaitBoard(connector);
