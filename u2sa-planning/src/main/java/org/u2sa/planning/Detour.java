@@ -30,6 +30,11 @@ final class Detour {
     return avoidance.isOn();
   }
 
+  /** Whether a straight way of an aircraft that can stop leads into something that stands. */
+  boolean isBlocked(Vehicle vehicle, StateInformation state, Place to) {
+    return avoidance.guards(state) && avoidance.isBlocked(vehicle, state, to);
+  }
+
   /** Whether something blocks the straight way to a position. */
   boolean isHindered(Vehicle vehicle, StateInformation state, Place to) {
     return avoidance.isOn() && avoidance.isHindered(vehicle, state, to);

@@ -34,7 +34,7 @@ final class HoverPlace {
     Place here = place.orElse(vehicle.place());
     Point way = vehicle.nedOf(here);
     NavigationPoint point = NavigationPoint.at(vehicle.body(way));
-    boolean evades = avoidance.evade(vehicle, state, point);
+    boolean evades = avoidance.hover(vehicle, state, point);
     boolean returns = place.isPresent() && way.distance() > BACK_M;
     place = evades || returns ? Optional.of(here) : Optional.empty();
     return place.isPresent() ? List.of(point) : List.of();

@@ -18,6 +18,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.Landing;
+import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.TakeOff;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FailsafeState;
@@ -124,6 +125,7 @@ public class PathPlanner extends EventDrivenService {
                     guidance,
                     settings(StationVariables.class),
                     circle,
+                    detour,
                     () -> seeing.get().drifts()),
                 new SearchAreaState(
                     avoidance, guidance, survey, seeing, this::lines, new SurveyHeights(terrain)),
@@ -269,18 +271,25 @@ public class PathPlanner extends EventDrivenService {
     }
   }
 
-  /** After manual driving, the vehicle holds where it was left, not where it held before. */
   private void onManual(ManualState state) {
     if (byHand && !state.active()) {
-      holdAt = Optional.empty();
       reports.forget();
-      end.leave();
-      hover.leave();
+      forgetPlaces();
     }
     byHand = state.active();
     if (byHand) {
       ground.flownByHand();
     }
+  }
+
+  /**
+   * A vehicle driven by hand holds where it is left, not where it held before; also for a Control
+   * that restarts and obeys before this planner hears of the drive's end.
+   */
+  private void forgetPlaces() {
+    holdAt = Optional.empty();
+    end.leave();
+    hover.leave();
   }
 
   private void react(FailsafeState state) {
@@ -345,6 +354,9 @@ public class PathPlanner extends EventDrivenService {
 
   private List<NavigationPoint> next(StateInformation state, boolean stateless) {
     Vehicle.of(state).ifPresent(ground::see);
+    if (byHand) {
+      forgetPlaces();
+    }
     if (isHolding()) {
       ground.hold();
       Vehicle vehicle = Vehicle.of(state).orElseThrow();
@@ -388,7 +400,10 @@ public class PathPlanner extends EventDrivenService {
 
   /** The points at which it holds, or those that evade traffic. */
   private List<NavigationPoint> hovering(List<NavigationPoint> held, StateInformation state) {
-    evade(held, state);
+    if (mayEvade()) {
+      Vehicle vehicle = Vehicle.of(state).orElseThrow();
+      own(held).ifPresent(point -> avoidance.hover(vehicle, state, point));
+    }
     List<NavigationPoint> points = held.isEmpty() && mayEvade() ? hover.points(state) : held;
     KnownGround below = new KnownGround(ground.stoodAt(), false, false);
     guard("", points, below, state); // it waits at its altitude
@@ -498,6 +513,10 @@ public class PathPlanner extends EventDrivenService {
             ? new KnownGround(Optional.of(Place.of(landing)), true, touches)
             : new KnownGround(ground.stoodAt(), false, false);
     Optional<String> why = guard(to.uid(), next.points(), below, state);
+    if (to instanceof Landing landing && avoidance.isHeldUp()) {
+      Place over = Place.of(landing).at(Vehicle.of(state).orElseThrow().place().upM().orElse(0.0));
+      evade(next, Optional.of(over), state); // it hovers above the position
+    }
     boolean goesOn = next.progress() == Plan.Progress.UNDER_WAY;
     return goesOn && why.isPresent() ? Plan.unless(why, next.points()) : next;
   }
@@ -509,17 +528,26 @@ public class PathPlanner extends EventDrivenService {
     boolean isOverGround =
         to instanceof TakeOff
             || to instanceof Landing && distanceM(to, state, false) < KnownGround.REACH_M;
+    boolean staysAt = to instanceof Station && settings.get().loiterRadius() == 0.0;
+    Optional<Place> end =
+        staysAt
+            ? WaypointState.placeOf(Optional.of(to)).filter(Place::isHorizontal)
+            : Optional.<Place>empty();
     if (!isOverGround) {
-      evade(next.points(), state);
+      evade(next, end, state);
     }
     return next;
   }
 
-  private void evade(List<NavigationPoint> points, StateInformation state) {
-    Optional<NavigationPoint> point = points.stream().filter(PathPlanner::isOwn).findFirst();
-    if (mayEvade() && point.isPresent()) {
-      avoidance.evade(Vehicle.of(state).orElseThrow(), state, point.get());
+  private void evade(Plan next, Optional<Place> end, StateInformation state) {
+    if (mayEvade()) {
+      Vehicle vehicle = Vehicle.of(state).orElseThrow();
+      own(next.points()).ifPresent(point -> avoidance.evade(vehicle, state, point, end));
     }
+  }
+
+  private static Optional<NavigationPoint> own(List<NavigationPoint> points) {
+    return points.stream().filter(PathPlanner::isOwn).findFirst();
   }
 
   private static boolean isOwn(NavigationPoint point) {

@@ -12,6 +12,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.Station;
+import org.u2sa.planning.avoidance.Avoidance;
 import org.u2sa.planning.guidance.Leg;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
@@ -25,7 +26,8 @@ import org.u2sa.service.handover.HandOver;
 /**
  * Keeps the vehicle at a {@link Station}, circling if it has a LOITER RADIUS. Without one, the
  * vehicle moves to the position, or to the start of its straight way and along it, and stays until
- * the time has elapsed. The time restarts when the vehicle leaves a threshold or the heading.
+ * the time has elapsed. Aircraft that can stop fly around what stands on the way. The time restarts
+ * when the vehicle leaves a threshold or the heading.
  */
 final class StationState implements PlannerState {
   private enum Phase {
@@ -47,20 +49,25 @@ final class StationState implements PlannerState {
   private final BerthWay way = new BerthWay(heading);
   private final BooleanSupplier lacksSway;
   private final StationPatience patience = new StationPatience();
+  private final Detour detour;
+  private boolean isRouted; // flies around an obstacle
 
   /**
    * Creates the state.
    *
+   * @param detour way of an aircraft that can stop, around obstacles
    * @param lacksSway whether the vehicle is known to have no sideways thrust
    */
   StationState(
       WaypointGuidance guidance,
       Supplier<StationVariables> settings,
       StationCircle circle,
+      Detour detour,
       BooleanSupplier lacksSway) {
     this.guidance = guidance;
     this.settings = settings;
     this.circle = circle;
+    this.detour = detour;
     this.lacksSway = lacksSway;
   }
 
@@ -84,6 +91,7 @@ final class StationState implements PlannerState {
     sinceMicros = Long.MIN_VALUE;
     here = Vehicle.of(pursuit.state()).map(Vehicle::place);
     circle.leave();
+    isRouted = false;
     heading.begin(lacksSway.getAsBoolean());
     patience.begin(0.0);
   }
@@ -158,6 +166,12 @@ final class StationState implements PlannerState {
     }
     boolean isNear = phase != Phase.TRANSIT || length(start) <= settings.get().stationTurnWithin();
     patience.count(isNear, vehicle.timestampMicros());
+    if (!isBerth && goesAround(vehicle, pursuit.state(), place, station)) {
+      Plan step = detour.step(vehicle, pursuit.state(), wanted(station, place));
+      return step.progress() == Plan.Progress.UNDER_WAY
+          ? progress(station, vehicle, to, step.points())
+          : step;
+    }
     NavigationPoint point;
     if (phase == Phase.BERTHING) {
       point = way.point(leg, to.z(), turn(station, vehicle), station, vehicle, settings.get());
@@ -166,6 +180,28 @@ final class StationState implements PlannerState {
       point = towards(target, isBerth ? Optional.empty() : Optional.of(place), station, vehicle);
     }
     return progress(station, vehicle, to, List.of(point));
+  }
+
+  /** Whether it flies around what stands on its way, also back after it has evaded traffic. */
+  private boolean goesAround(
+      Vehicle vehicle, StateInformation state, Place place, Station station) {
+    double nearM = Math.max(settings.get().stationTurnWithin(), station.horizontalThreshold());
+    boolean isFar = length(vehicle.nedOf(place)) > nearM;
+    boolean isBlocked = isFar && detour.isBlocked(vehicle, state, place);
+    if (isBlocked && !isRouted) {
+      detour.begin();
+    }
+    isRouted = isBlocked;
+    return isBlocked;
+  }
+
+  private static Avoidance.Wanted wanted(Station station, Place place) {
+    return new Avoidance.Wanted(
+        station.uid(),
+        place,
+        station.horizontalThreshold(),
+        OptionalDouble.empty(),
+        station.speed());
   }
 
   /** From the station to the start of its straight way: north, east [m]. */

@@ -20,6 +20,7 @@ import org.u2sa.planning.guidance.Vehicle;
  * first if it is low, also when the position moves away below it.
  */
 final class VerticalDescent implements LandingState.Descent {
+  private static final double ASIDE_M = 8.0; // beyond the threshold, from where it comes back level
   private static final double SIGMAS = 2.0; // of the altitude, by which the ground may come sooner
   private static final double SLOW_BELOW_M = 4.0; // height above the ground given by the goal
   private static final double FAR_M = 10.0; // from the position
@@ -56,6 +57,10 @@ final class VerticalDescent implements LandingState.Descent {
     boolean isOver = isHighEnough && Math.hypot(to.x(), to.y()) <= goal.horizontalThreshold();
     if (above && !isOver && !aimedAt.equals(Optional.of(place))) {
       begin(goal, state, vehicle);
+    }
+    boolean isHigh = to.z() > LOW_M + SIGMAS * state.zSigma().orElse(0.0);
+    if (above && isHigh && Math.hypot(to.x(), to.y()) > goal.horizontalThreshold() + ASIDE_M) {
+      begin(goal, state, vehicle); // it has evaded traffic
     }
     aimedAt = Optional.of(place);
     above |= isOver && !rises;

@@ -2,6 +2,7 @@ package org.u2sa.planning;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -10,12 +11,14 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FailsafeState;
@@ -42,6 +45,8 @@ class HoverTrafficTest extends PlannedVehicle {
   private double farthestM; // from the place
   private double mostEastM;
   private double headingRad;
+  private double stopsS = Double.POSITIVE_INFINITY; // when the traffic stops
+  private final List<ObjectDescription> objects = new ArrayList<>(); // that stand
 
   private void start(double clearanceM) {
     kit.with("PLANNER", "GRID").with("VERTICAL CLEARANCE", clearanceM).with("EVASION CLIMB", 2.0);
@@ -55,12 +60,14 @@ class HoverTrafficTest extends PlannedVehicle {
   /** Flies on; the traffic passes the place at {@link #COMES_S}. */
   private void step(Point mps) {
     kit.advance(STEP_S);
-    Point other = held.plus(mps.times(kit.nowS() - COMES_S));
+    Point other = held.plus(mps.times(Math.min(kit.nowS(), stopsS) - COMES_S));
     MovingSphere drone = new MovingSphere().radius(SEPARATION_M);
     drone.uid("drone").objectType("drone").referenceFrame(ReferenceFrame.LOCAL_NED);
     drone.x(other.x()).y(other.y()).z(other.z());
-    drone.motion().velocity(mps);
-    kit.publish(Channels.OBJECTS, new ObjectList().objects(List.of(drone)));
+    drone.motion().velocity(kit.nowS() < stopsS ? mps : Point.ORIGIN);
+    List<ObjectDescription> seen = new ArrayList<>(objects);
+    seen.add(drone);
+    kit.publish(Channels.OBJECTS, new ObjectList().objects(seen));
     kit.publish(
         Channels.STATE,
         state(at.x(), at.y(), headingRad)
@@ -132,6 +139,43 @@ class HoverTrafficTest extends PlannedVehicle {
     goals(station());
     hover(Point.of(north, east, down));
     assertEvadedOnceAndReturned();
+  }
+
+  @ParameterizedTest
+  @CsvSource({"0, 5, 30, true", "4, 1, 30.4, true", "0, 5, 30, false", "-3, 3, 29.5, false"})
+  void hover_trafficStopsThere_waitsBesideIt(
+      double north, double east, double stops, boolean atStation) {
+    start(5.0);
+    stopsS = stops;
+    Point mps = Point.of(north, east, 0.0);
+    if (atStation) {
+      goals(station());
+    } else {
+      lead(Point.ORIGIN, 3.0);
+      pause();
+    }
+    hover(mps);
+    while (kit.nowS() < 2.0 * END_S) {
+      step(mps);
+    }
+    assertThat(nearestM).isGreaterThan(NEAREST_M);
+    assertThat(logged(": waiting") + logged("given up: ")).isGreaterThanOrEqualTo(1);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {0.0, 1.5, 4.0})
+  void landing_waitsAboveACar_evadesTrafficAlsoAboveIt(double higherM) {
+    kit.with("GIVE UP AFTER", 100.0);
+    start(5.0);
+    objects.add(VerticalFlight.slab(0.0, 3.0));
+    at = Point.of(0.0, 0.0, -15.0);
+    held = Point.of(0.0, 0.0, -8.0 - higherM);
+    Landing landing = new Landing();
+    landing.horizontalThreshold(2.0).x(0.0).y(0.0).z(0.0);
+    goals(landing.uid("l").referenceFrame(ReferenceFrame.LOCAL_NED));
+    hover(Point.of(0.0, 5.0, 0.0));
+    assertThat(nearestM).isGreaterThan(NEAREST_M);
+    assertThat(Math.hypot(at.x(), at.y())).isLessThan(4.0);
   }
 
   @ParameterizedTest

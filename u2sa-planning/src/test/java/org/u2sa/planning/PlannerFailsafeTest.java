@@ -17,6 +17,7 @@ import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FailsafeState;
+import org.u2sa.messages.safety.ManualState;
 import org.u2sa.testkit.ServiceKit;
 
 /** What the planner does when a failsafe says so. */
@@ -102,6 +103,19 @@ class PlannerFailsafeTest {
     kit.publish(Channels.GOALS, ((GoalList) goals.copy()).returning(true));
     state(50.0, 0.0);
     assertThat(aheadM()).as("the way back").isGreaterThan(5.0);
+  }
+
+  /** Points of before the end of the drive would lead a Control that restarts away. */
+  @Test
+  void pause_drivenByHand_leadsNowhereAlready() {
+    kit.with("LOOK AHEAD", 10.0).with("AT END", "HOLD");
+    begin(1.0);
+    kit.publish(Channels.GOALS, ((GoalList) goals.copy()).paused(true));
+    state(20.0, 1.0);
+    kit.publish(Channels.MANUAL_STATE, new ManualState().active(true).operator("Ann").takeovers(1));
+    state(30.0, 1.0);
+    state(40.0, 1.0);
+    assertThat(aheadM()).isCloseTo(0.0, within(1e-6));
   }
 
   @Test

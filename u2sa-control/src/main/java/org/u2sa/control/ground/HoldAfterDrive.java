@@ -9,12 +9,14 @@ import org.u2sa.messages.goal.GoalList;
  */
 final class HoldAfterDrive {
   private static final long SETTLED_MICROS = 500_000; // a Mission Manager that starts then pauses
+  private static final long HEARD_MICROS = 1_000_000; // after which planners have heard the pause
 
   private boolean isPaused; // according to the newest goals
   private boolean isDriven;
   private boolean isAwaited; // a pause, during or since a drive
   private long endedMicros; // of the drive
   private long newGoalsMicros; // when goals arrived that were sent after the drive; 0: none
+  private long heardMicros = Long.MIN_VALUE; // until then, planners may lead on as before the pause
 
   void begin() {
     isDriven = true;
@@ -23,6 +25,9 @@ final class HoldAfterDrive {
 
   void see(GoalList goals, long nowMicros) {
     isPaused = goals.paused();
+    if (isPaused && isAwaited && !isDriven) {
+      heardMicros = nowMicros + HEARD_MICROS;
+    }
     isAwaited = !isPaused && (isDriven || isAwaited);
     boolean isNew = goals.timestamp().orElse(nowMicros) > endedMicros; // not retained
     if (isAwaited && !isDriven && newGoalsMicros == 0L && isNew) {
@@ -31,8 +36,8 @@ final class HoldAfterDrive {
   }
 
   /**
-   * Whether the vehicle, no longer driven, must stand. Ends when the mission is paused or, if its
-   * service does not pause, half a second after it has sent goals again.
+   * Whether the vehicle, no longer driven, must stand. Ends a second after the mission is known to
+   * be paused or, if its service does not pause, half a second after it has sent goals again.
    */
   boolean holds(long nowMicros) {
     if (isDriven) {
@@ -41,7 +46,7 @@ final class HoldAfterDrive {
       newGoalsMicros = 0L;
     }
     isAwaited &= newGoalsMicros == 0L || nowMicros - newGoalsMicros <= SETTLED_MICROS;
-    return isAwaited;
+    return isAwaited || nowMicros < heardMicros;
   }
 
   boolean isAwaited() {

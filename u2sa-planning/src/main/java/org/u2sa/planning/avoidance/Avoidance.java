@@ -61,6 +61,7 @@ public final class Avoidance {
   private Optional<ArcChoice> before = Optional.empty(); // last choice, on the plane
   private Optional<HeldChoice> held = Optional.empty();
   private long steppedMicros = Long.MIN_VALUE; // state of the last step
+  private String blocker = ""; // stands on the way back to where the vehicle hovers
 
   /**
    * Next step of the vehicle.
@@ -122,7 +123,7 @@ public final class Avoidance {
     vertical = new VerticalGuard(world, say);
     drift = new DriftWatch(settings);
     inPlace = new InPlaceEvasion(world, climbing, settings, lines, say, this::arcs);
-    hover = new HoverEvasion(world, climbing, settings, lines, say, this::arcs);
+    hover = new HoverEvasion(world, climbing, settings, lines, say);
   }
 
   /** Estimates the drift of the vehicle, whatever its goal. */
@@ -208,32 +209,57 @@ public final class Avoidance {
     return straight.comesTraffic(vehicle, at, body(now), now);
   }
 
+  /** Whether a straight way to a position leads into something that stands. */
+  public boolean isBlocked(Vehicle vehicle, StateInformation state, Place to) {
+    return blocker(vehicle, state, vehicle.nedOf(to)).isPresent();
+  }
+
+  private Optional<String> blocker(Vehicle vehicle, StateInformation state, Point way) {
+    AvoidanceVariables now = settings.get();
+    lieOn(world.plane(state));
+    Point at = vehicle.on(plane);
+    world.update(state, at.x(), at.y(), at.z(), at.z() + way.z());
+    return straight.blocker(at, way, body(now), now);
+  }
+
   /**
    * Changes the point to which an aircraft that can stop flies straight, or at which it hovers, if
    * traffic comes too close there or on the way, unless a step has led there. A climb or descent in
    * place is left to {@link #guard}.
    *
+   * @param end where it will stay; empty if the point only leads on
    * @return whether it evades traffic
    */
-  public boolean evade(Vehicle vehicle, StateInformation state, NavigationPoint point) {
-    AvoidanceVariables now = settings.get();
+  public boolean evade(
+      Vehicle vehicle, StateInformation state, NavigationPoint point, Optional<Place> end) {
+    Point way = end.map(vehicle::nedOf).orElseGet(() -> vehicle.ned(point.point()));
+    return evade(vehicle, state, point, way, end.isPresent());
+  }
+
+  private boolean evade(
+      Vehicle vehicle,
+      StateInformation state,
+      NavigationPoint point,
+      Point way,
+      boolean staysThere) {
     long micros = vehicle.timestampMicros();
-    if (!guards(now, state)
+    if (!guards(state)
         || steppedMicros == micros
-        || world.age().trouble(micros, now.worldStaleMicros()).isPresent()) {
+        || world.age().trouble(micros, settings.get().worldStaleMicros()).isPresent()) {
       return false;
     }
     lieOn(world.plane(state));
     Point at = vehicle.on(plane);
-    Point way = vehicle.ned(point.point());
     boolean isLevel = Math.abs(way.z()) < IN_PLACE_M;
-    if (!isLevel && Math.hypot(way.x(), way.y()) < IN_PLACE_M) {
+    if (!staysThere && !isLevel && Math.hypot(way.x(), way.y()) < IN_PLACE_M) {
       return false;
     }
     world.update(state, at.x(), at.y(), at.z(), at.z() + way.z());
     Optional<ArcChoice> choice = hover.choose(vehicle, state, way);
-    if (choice.isPresent()) {
+    if (staysThere || choice.isPresent()) {
       steppedMicros = micros;
+    }
+    if (choice.isPresent()) {
       before = choice;
       Wanted here =
           new Wanted("", vehicle.place(), 0.0, OptionalDouble.empty(), OptionalDouble.empty());
@@ -243,8 +269,30 @@ public final class Avoidance {
     return choice.isPresent();
   }
 
+  /**
+   * As {@link #evade}, for an aircraft that hovers without a goal: on its way back to its place it
+   * also waits before what stands there, such as traffic that has stopped.
+   */
+  public boolean hover(Vehicle vehicle, StateInformation state, NavigationPoint point) {
+    Point way = vehicle.ned(point.point());
+    boolean evades = evade(vehicle, state, point, way, true);
+    if (evades || !guards(state) || Math.hypot(way.x(), way.y()) < IN_PLACE_M) {
+      return evades;
+    }
+    String stands = blocker(vehicle, state, way).orElse("");
+    if (!stands.isEmpty()) {
+      point.point(Point.ORIGIN).speed(0.0);
+    }
+    if (!stands.isEmpty() && !stands.equals(blocker)) {
+      say.accept("\"" + stands + "\" stands on the way to where it hovers: waiting", true);
+    }
+    blocker = stands;
+    return false;
+  }
+
   /** Whether it looks at what is above and below a vehicle that can stop. */
-  private boolean guards(AvoidanceVariables now, StateInformation state) {
+  public boolean guards(StateInformation state) {
+    AvoidanceVariables now = settings.get();
     return isOn() && now.stops() && now.verticalClearance() > 0.0 && state.z().isPresent();
   }
 
@@ -264,7 +312,7 @@ public final class Avoidance {
       NavigationPoint point,
       KnownGround ground) {
     AvoidanceVariables now = settings.get();
-    if (!guards(now, state)) {
+    if (!guards(state)) {
       return Optional.empty();
     }
     lieOn(world.plane(state));

@@ -10,12 +10,13 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.safety.FenceState;
 import org.u2sa.planning.avoidance.Avoidance.Wanted;
-import org.u2sa.planning.avoidance.InPlaceEvasion.Arcs;
 import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.guidance.LineSettings;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.local.ArcChoice;
+import org.u2sa.planning.local.HoverMotions;
+import org.u2sa.planning.local.HoverMotions.Choice;
 import org.u2sa.planning.local.VerticalRoom;
 import org.u2sa.planning.seen.Mover;
 import org.u2sa.planning.seen.SeenWorld;
@@ -26,6 +27,8 @@ import org.u2sa.planning.seen.SeenWorld;
  */
 final class HoverEvasion {
   private static final long LASTS_MICROS = 10 * Clock.MICROS_PER_SECOND;
+  private static final long GOES_ON_MICROS = 2 * Clock.MICROS_PER_SECOND;
+  private static final double IMMINENT = 0.5; // distance in radii of the clearance
 
   private final SeenWorld world;
   private final VerticalEvasion climbing;
@@ -33,7 +36,7 @@ final class HoverEvasion {
   private final Supplier<AvoidanceVariables> settings;
   private final Supplier<LineSettings> lines;
   private final BiConsumer<String, Boolean> say;
-  private final Arcs arcs;
+  private Optional<Point> spot = Optional.empty(); // of the last evasion, on the plane
   private long lastMicros = Long.MIN_VALUE / 2; // of the last evasion
   private boolean isBraking;
 
@@ -42,14 +45,12 @@ final class HoverEvasion {
       VerticalEvasion climbing,
       Supplier<AvoidanceVariables> settings,
       Supplier<LineSettings> lines,
-      BiConsumer<String, Boolean> say,
-      Arcs arcs) {
+      BiConsumer<String, Boolean> say) {
     this.world = world;
     this.climbing = climbing;
     this.settings = settings;
     this.lines = lines;
     this.say = say;
-    this.arcs = arcs;
     fence = new AllowedAreas(world);
   }
 
@@ -61,7 +62,7 @@ final class HoverEvasion {
   /**
    * Evasive motion, as of the last update of the world; empty if the way is free of traffic.
    *
-   * @param way to the next point: north, east, down [m]
+   * @param way to where it will hover: north, east, down [m]
    */
   Optional<ArcChoice> choose(Vehicle vehicle, StateInformation state, Point way) {
     AvoidanceVariables now = settings.get();
@@ -77,14 +78,34 @@ final class HoverEvasion {
     Pose pose = new Pose(at.x(), at.y(), vehicle.headingRad());
     double cellM = world.costs().frame().cellM();
     Situation situation = Situation.of(pose, way, wanted, vehicle, cellM, now, lines.get());
-    Optional<ArcChoice> choice =
-        arcs.among(situation, vehicle, traffic, room)
-            .asideOf(
-                situation.goalNorthM(),
-                situation.goalEastM(),
-                (north, east) -> !fence.isForbidden(north, east, state));
-    choice.ifPresent(evasion -> tell(evasion, at, vehicle.timestampMicros()));
+    long micros = vehicle.timestampMicros();
+    HoverMotions motions =
+        new HoverMotions(
+            world.costs(),
+            situation.body().circleM(),
+            traffic,
+            situation.limits(),
+            room,
+            (north, east) -> !fence.isForbidden(north, east, state),
+            micros);
+    boolean goesOn = micros - lastMicros <= GOES_ON_MICROS;
+    Point velocity = Point.of(vehicle.northMps(), vehicle.eastMps(), 0.0);
+    Optional<Choice> chosen =
+        motions.choose(at, velocity, at.plus(way), goesOn ? spot : Optional.<Point>empty());
+    spot = chosen.isPresent() ? chosen.map(Choice::spot) : spot;
+    Optional<ArcChoice> choice = chosen.map(HoverEvasion::motion);
+    choice.ifPresent(evasion -> tell(evasion, at, micros));
     return choice;
+  }
+
+  private static ArcChoice motion(Choice chosen) {
+    return new ArcChoice(
+        chosen.spot().x(),
+        chosen.spot().y(),
+        chosen.speedMps(),
+        false,
+        chosen.distance() < IMMINENT ? ArcChoice.Kind.BRAKE : ArcChoice.Kind.EVADE,
+        chosen.spot().z());
   }
 
   private void tell(ArcChoice evasion, Point at, long micros) {
@@ -94,7 +115,7 @@ final class HoverEvasion {
       say.accept("traffic comes to where it hovers: evading until it has passed", false);
     }
     if (brakes && (isNew || !isBraking)) {
-      say.accept("collision imminent: braking", true);
+      say.accept("traffic comes close: evading as far as possible", true);
     }
     isBraking = brakes;
     lastMicros = micros;

@@ -2,6 +2,7 @@ package org.u2sa.planning.avoidance;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
@@ -18,6 +19,10 @@ final class StraightFlight {
   private static final double FARTHEST_M = 1.0e8;
 
   private static final double LONGEST_DESCENT_M = 1.0e5;
+
+  private static final double CHECK_M = 0.5; // distance between positions of a checked way
+  private static final double CLOSER_M = 0.1; // smaller approaches are free
+  private static final double REACH_M = 300.0; // a way is checked so far ahead
 
   private final SeenWorld world;
 
@@ -48,6 +53,37 @@ final class StraightFlight {
         }
         i += Math.max(1.0, Math.floor((away - keptM) / stepM)); // nothing is closer up to there
       } while (i <= last);
+    }
+    return false;
+  }
+
+  /**
+   * What a straight way leads into: it comes too close, and closer than the vehicle is.
+   *
+   * @param at vehicle on the planning plane [m]
+   * @param way north and east to its end [m]
+   * @return UID of the object; empty if the way is free
+   */
+  Optional<String> blocker(Point at, Point way, BodyDiscs body, AvoidanceVariables now) {
+    double keptM = body.circleM() + now.touchM(world.costs().frame().cellM());
+    return world.shapes().stream()
+        .filter(shape -> isNeared(shape, at, way, keptM))
+        .map(PlanarShape::name)
+        .findFirst();
+  }
+
+  private static boolean isNeared(PlanarShape shape, Point at, Point way, double keptM) {
+    double lengthM = Math.hypot(way.x(), way.y());
+    double leastM = Math.min(keptM, shape.distanceM(at.x(), at.y()) - CLOSER_M);
+    double alongM = 0.0;
+    while (alongM < Math.min(lengthM, REACH_M)) {
+      alongM += CHECK_M;
+      double share = Math.min(1.0, alongM / lengthM);
+      double awayM = shape.distanceM(at.x() + share * way.x(), at.y() + share * way.y());
+      if (awayM < leastM) {
+        return true;
+      }
+      alongM += Math.max(0.0, awayM - keptM - CHECK_M); // nothing is closer up to there
     }
     return false;
   }

@@ -22,7 +22,6 @@ public final class ArcChooser {
   private static final double SAME_M = 0.005;
   private static final double SLOWEST = 0.4; // fraction of the speed, close to a route
   private static final double STILL_MPS = 0.1; // slower drift does not matter
-  private static final double HERE_M = 2.0; // within which the vehicle is at a position
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
   private final CostGrid costs;
@@ -205,36 +204,6 @@ public final class ArcChooser {
     }
     boolean waits = limits.stops() && forecast.standing(Double.NaN).meetsS() >= limits.horizonS();
     return waits ? stand : evasion.choose(pose.northM(), pose.eastM(), stand);
-  }
-
-  /**
-   * Evades traffic that comes too close to a vehicle that can stop, at a position or on its
-   * straight way there; empty if none does.
-   *
-   * @param allowed area in which level motions must end
-   */
-  public Optional<ArcChoice> asideOf(double northM, double eastM, Area allowed) {
-    if (staysFree(northM, eastM)) {
-      return Optional.empty();
-    }
-    evasion.within(allowed);
-    return Optional.of(evasion.choose(northM, eastM, stand(ArcChoice.Kind.WAIT)));
-  }
-
-  /** Whether traffic leaves a straight way free if the vehicle stops at its end, or continues. */
-  private boolean staysFree(double northM, double eastM) {
-    double awayM = pose.distanceM(northM, eastM);
-    if (awayM < HERE_M) {
-      return forecast.standing(Double.NaN).meetsS() >= limits.horizonS();
-    }
-    double bearing = Math.atan2(eastM - pose.eastM(), northM - pose.northM()) - pose.headingRad();
-    double speed = limits.speedMps();
-    Motion way =
-        turnsTo(northM, eastM, false)
-            ? Motion.turn(Pose.wrapped(bearing), speed, awayM)
-            : Motion.arc(limits.curvatureTo(pose, northM, eastM, false), false, speed, awayM);
-    return forecast.play(way.endingAt(awayM)).meetsS() >= limits.horizonS()
-        || forecast.play(way).meetsS() >= limits.horizonS();
   }
 
   /** Makes a vehicle that cannot stop circle, to the right if there is room. */

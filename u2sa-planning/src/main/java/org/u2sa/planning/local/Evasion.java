@@ -35,7 +35,6 @@ final class Evasion {
   private final double reachM;
   private double goalNorthM;
   private double goalEastM;
-  private Area area = (north, east) -> true; // in which motions must end
   private Motion onRoute; // free of static obstacles but too close to traffic
 
   private ArcChoice best;
@@ -75,11 +74,6 @@ final class Evasion {
     double bearing = Math.atan2(before.eastM() - pose.eastM(), before.northM() - pose.northM());
     double aside = Pose.wrapped(bearing - pose.headingRad());
     return evades && Math.abs(aside) > ASIDE_RAD ? Math.signum(aside) : 0.0;
-  }
-
-  /** Rejects motions that end outside an area. */
-  void within(Area allowed) {
-    area = allowed;
   }
 
   /** Adds a choice on the route that is free but too close to traffic. */
@@ -245,9 +239,6 @@ final class Evasion {
     for (double end : ENDS) {
       Motion ending = motion.endingAt(end * reachM);
       Pose to = end(ending);
-      if (!area.contains(to.northM(), to.eastM())) {
-        continue;
-      }
       Outcome outcome = forecast.play(ending);
       double allowed = limits.stoppableMps(outcome.freeM() - keptM);
       boolean free = limits.stops() ? allowed >= 0.5 * motion.speedMps() : outcome.freeM() == NEVER;
