@@ -133,6 +133,13 @@ class ContractTest(unittest.TestCase):
         self.assertEqual(undone["assignments"][0]["value"], "0.5")
         self.assertEqual(self.probe.configuration["GAIN"], 0.5)
 
+    def test_a_change_that_comes_twice_is_made_once(self):
+        order = Message("ConfigurationChange", serviceName="Probe", variableName="GAIN", value="0.75", timestamp=int(time.time() * 1e6))
+        first = self.answer("configuration", order)
+        self.answer("configuration", Message("ConfigurationUndo", requestId="u", serviceName="Probe"))
+        self.assertEqual(self.answer("configuration", order), first)
+        self.assertEqual(self.probe.configuration["GAIN"], 0.5)
+
     def test_orders_under_one_id_are_each_obeyed(self):
         def order(gain, **more):
             wanted = Message("ConfigurationAssignment", variableName="GAIN", value=gain)
