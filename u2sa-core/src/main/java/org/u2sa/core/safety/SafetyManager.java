@@ -332,6 +332,7 @@ public final class SafetyManager extends PeriodicService {
     if (!message.active() && emergency.isStopped()) {
       // The clear is retained: late subscribers must not conclude that the remaining stops ended.
       publish(Channels.EMERGENCY_STOP, emergency.stop().orElseThrow());
+      giveAgain(emergency.spared());
     }
     if (!changed) {
       return;
@@ -347,19 +348,20 @@ public final class SafetyManager extends PeriodicService {
     publish(arming.state(clock().micros()));
   }
 
-  /** The clear has lifted the stop elsewhere; with another timestamp it counts as a new one. */
   private void stopAgain(EmergencyStop clear, String why) {
     log(
         LogLevelEnum.WARN,
         "emergency stop not cleared by \"" + clear.operator() + "\", because " + why);
-    for (EmergencyStop stop : emergency.stops()) {
-      EmergencyStop again = (EmergencyStop) stop.copy();
-      again.timestamp(clock().micros());
-      emergency.accept(again);
-      publish(Channels.EMERGENCY_STOP, again);
+    giveAgain(emergency.stops());
+    save();
+  }
+
+  /** For services that a clear has freed: with another timestamp a stop counts as a new one. */
+  private void giveAgain(List<EmergencyStop> stops) {
+    for (EmergencyStop stop : stops) {
+      publish(Channels.EMERGENCY_STOP, emergency.renew(stop));
     }
     heedsEmergencyStops(emergency.identities());
-    save();
   }
 
   @Override
