@@ -46,7 +46,14 @@ public final class SafetyManager extends PeriodicService {
   private static final String REPEATED = "this order was answered before: give it under another ID";
   private static final double CHECKS_PER_S = 10.0;
   private static final double SLOWEST_HZ = 1.0; // otherwise failsafes would come too late
-  private static final double STEADY_AFTER_S = 3.0; // an operator's clock was set; below deadlines
+
+  /**
+   * After three regular heartbeats, one a second, an operator's clock was set, or a second program
+   * has another clock [s]: with the gap before them and one after, less than OPERATOR DEADLINE, 5
+   * s.
+   */
+  private static final double STEADY_AFTER_S = 1.9;
+
   private static final double REPEAT_INTERVAL_S = 1.0; // interval for unchanged states
 
   private final Settings<SafetyVariables> settings = settings(SafetyVariables.class);
