@@ -1,6 +1,7 @@
 """A service's answers, without a broker: what it sends is looked at."""
 import time
 import unittest
+import unittest.mock
 
 from u2sa import EmergencyLatch, Message, Service, Variable, encode
 from u2sa.contract import Contract
@@ -133,6 +134,13 @@ class ContractTest(unittest.TestCase):
         self.assertEqual(undone["assignments"][0]["value"], "0.5")
         self.assertEqual(self.probe.configuration["GAIN"], 0.5)
 
+    def test_a_change_that_comes_twice_is_made_once(self):
+        order = Message("ConfigurationChange", serviceName="Probe", variableName="GAIN", value="0.75", timestamp=int(time.time() * 1e6))
+        first = self.answer("configuration", order)
+        self.answer("configuration", Message("ConfigurationUndo", requestId="u", serviceName="Probe"))
+        self.assertEqual(self.answer("configuration", order), first)
+        self.assertEqual(self.probe.configuration["GAIN"], 0.5)
+
     def test_orders_under_one_id_are_each_obeyed(self):
         def order(gain, **more):
             wanted = Message("ConfigurationAssignment", variableName="GAIN", value=gain)
@@ -241,6 +249,12 @@ class HostileOriginTest(unittest.TestCase):
         self.assertEqual(probe.health.report("Probe", "RUNNING", 0)["refused"], 100)
 
 
+def later(seconds):
+    """Time that has passed for the latch."""
+    now = time.monotonic()
+    return unittest.mock.patch("u2sa.emergency.time.monotonic", lambda: now + seconds)
+
+
 class EmergencyLatchTest(unittest.TestCase):
     def stopped(self, latch, **fields):
         return latch.take(Message("EmergencyStop", active=True, operator="button", reason="pressed", **fields))
@@ -272,6 +286,28 @@ class EmergencyLatchTest(unittest.TestCase):
         self.assertTrue(latch.take(Message("EmergencyStop", active=False, timestamp=30)))
         self.assertFalse(latch.take(Message("EmergencyStop", active=False, clears=20, timestamp=30)))
 
+    def test_a_clear_that_arrives_again_leaves_the_stop_of_a_clock_that_is_behind(self):
+        latch = EmergencyLatch()
+        self.stopped(latch, timestamp=100)
+        clear = Message("EmergencyStop", active=False, operator="me", reason="", clears=200, timestamp=200)
+        with later(0.5):
+            self.assertFalse(latch.take(clear))
+            self.assertTrue(self.stopped(latch, timestamp=50))
+        with later(1.5):
+            self.assertTrue(latch.take(clear))
+            clear["timestamp"] = 201  # given again
+            self.assertFalse(latch.take(clear))
+
+    def test_who_clears_cannot_have_known_a_stop_that_has_just_arrived(self):
+        latch = EmergencyLatch()
+        self.stopped(latch, stopId="button", timestamp=100)
+        with later(1):
+            self.assertTrue(self.stopped(latch, stopId="button", timestamp=50))
+            self.assertTrue(latch.take(Message("EmergencyStop", active=False, clears=200)))
+            self.assertTrue(latch.take(Message("EmergencyStop", active=False, lifts=["button"])))
+        with later(1.5):
+            self.assertFalse(latch.take(Message("EmergencyStop", active=False, lifts=["button"])))
+
     def test_a_repetition_of_the_lifted_stop_does_not_latch_again_and_a_new_one_does(self):
         latch = EmergencyLatch()
         stop = Message("EmergencyStop", active=True, timestamp=10)
@@ -298,7 +334,8 @@ class EmergencyLatchTest(unittest.TestCase):
         foreign = Message("EmergencyStop", systemId="other", active=False, clears=1 << 60)
         self.assertTrue(latch.take(foreign))
         foreign["systemId"] = "boat"
-        self.assertFalse(latch.take(foreign))
+        with later(0.5):
+            self.assertFalse(latch.take(foreign))
 
 
 if __name__ == "__main__":

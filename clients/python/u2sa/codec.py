@@ -1,6 +1,7 @@
 """Messages as CBOR (docs/wire-protocol.md, Payload)."""
 from __future__ import annotations
 
+import hashlib
 from typing import Any, Dict, List, Optional, Sequence, Tuple
 
 import cbor2
@@ -30,6 +31,17 @@ def encode(message: Message, origin: Optional[Tuple[str, int]] = None) -> bytes:
     if len(payload) > PAYLOAD_BYTES:
         raise ValueError(f"{message.name}: {len(payload)} bytes exceed the {PAYLOAD_BYTES} that readers take")
     return payload
+
+
+def identity(order: Message) -> Optional[bytes]:
+    """What an order that a broker delivers twice has in common with its repeat: ID, timestamp and content.
+
+    None without ID and timestamp: nobody can tell a repeat from an order given again.
+    """
+    given = dict(order.items())
+    if not given.get("requestId") and given.get("timestamp") is None:
+        return None
+    return hashlib.sha256(encode(order)).digest()
 
 
 def _map(message: Message, within_list: bool) -> Dict[str, Any]:

@@ -2,8 +2,9 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from typing import TYPE_CHECKING, List, Sequence, Tuple
+from typing import TYPE_CHECKING, List, Sequence
 
+from .codec import identity
 from .configuration import Assignment, BadConfiguration
 from .message import Message
 
@@ -29,7 +30,7 @@ class Contract:
     def __init__(self, service: "Service") -> None:
         self._service = service
         # A request that comes twice is obeyed once; another one under the same ID, or the same given again later, is no repeat.
-        self._answered: "OrderedDict[str, Tuple[Message, Message]]" = OrderedDict()
+        self._answered: "OrderedDict[bytes, Message]" = OrderedDict()  # by identity of the request
 
     def is_order_to_stop(self, message: Message) -> bool:
         return message.is_a("StopCommand") and (
@@ -54,8 +55,6 @@ class Contract:
             self._functionality()
         elif message.is_a("ConfigurationRequest"):
             self._configuration()
-        elif message.is_a("ConfigurationChange"):
-            self._change(message)
         else:
             self._once(message)
 
@@ -81,7 +80,23 @@ class Contract:
             "ConfigurationResponse", serviceName=service.name, variables=service.configuration.describe(),
             revision=service.configuration.revision))
 
-    def _change(self, message: Message) -> None:
+    def _once(self, message: Message) -> None:
+        known_by = identity(message)
+        before = None if known_by is None else self._answered.get(known_by)
+        if before is not None:
+            self._service.send("configuration", before)
+            return
+        done: List[str] = []
+        result = self._change(message, done) if message.is_a("ConfigurationChange") else self._changes(message, done)
+        if known_by is not None:
+            self._answered[known_by] = result
+        while len(self._answered) > _REMEMBERED:
+            self._answered.popitem(last=False)
+        self._service.send("configuration", result)
+        if done:
+            self._service.configuration_changed(done)
+
+    def _change(self, message: Message, done: List[str]) -> Message:
         service, name = self._service, message["variableName"]
         result = Message("ConfigurationChangeResult", serviceName=service.name, variableName=name)
         try:
@@ -89,27 +104,20 @@ class Contract:
             service.configuration.change({name: message["value"]}, "", veto=service.configuration_refusal)
             result["accepted"] = True
             result["value"] = service.configuration.text(name)
+            done.append(name)
         except BadConfiguration as e:
             result["value"] = message["value"]
             result["reason"] = str(e)
-        service.send("configuration", result)
-        if result.get("accepted"):
-            service.configuration_changed([name])
+        return result
 
     def _require_in_time(self, order: Message) -> None:
         late = self._service.lateness(order)
         if late:
             raise BadConfiguration(late)
 
-    def _once(self, message: Message) -> None:
-        request = message["requestId"]
-        known = self._answered.get(request)
-        if known is not None and known[0] == message:
-            self._service.send("configuration", known[1])
-            return
-        result = Message("ConfigurationTransactionResult", requestId=request, serviceName=self._service.name,
+    def _changes(self, message: Message, names: List[str]) -> Message:
+        result = Message("ConfigurationTransactionResult", requestId=message["requestId"], serviceName=self._service.name,
                          author=message.get("author"))
-        done: List[Assignment] = []
         try:
             self._require_in_time(message)
             done = self._undo(message) if message.is_a("ConfigurationUndo") else self._transact(message)
@@ -117,17 +125,12 @@ class Contract:
             result["assignments"] = [
                 Message("ConfigurationAssignment", variableName=name, value=now, previous=before)
                 for name, before, now in done]
+            names.extend(name for name, _before, _now in done)
         except BadConfiguration as e:
             result["reason"] = str(e)
             result["assignments"] = self._told_back(message)
         result["revision"] = self._service.configuration.revision
-        if request:
-            self._answered[request] = message, result
-        while len(self._answered) > _REMEMBERED:
-            self._answered.popitem(last=False)
-        self._service.send("configuration", result)
-        if done:
-            self._service.configuration_changed([name for name, _before, _now in done])
+        return result
 
     def _told_back(self, message: Message) -> Sequence[Message]:
         """What was wanted and refused. More assignments than there are variables cannot be meant: the answer would be larger

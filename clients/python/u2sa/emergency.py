@@ -5,10 +5,12 @@ import time
 from typing import Callable, Dict, List, Optional, Set, Tuple
 
 from .clock import SystemTime
+from .codec import identity
 from .message import Message
 
 
 _TOLD_APART = 64  # stops that are told apart; of more, as a flood makes them, only the newest time is known
+_UNKNOWN_S = 0.5  # who clears other stops cannot have known one that arrived so shortly before
 _REPEATED_S = 10.0  # how long after the clear a stop without a timestamp may repeat the lifted one
 
 
@@ -29,7 +31,8 @@ class EmergencyLatch:
     names it or a newer one in `clears`.
 
     On the safe side: a stop of unknown origin or time latches too, so does one that reuses the ID of a lifted one, and a
-    clear of another system lifts nothing. Belongs to one thread.
+    clear of another system lifts nothing, nor does one that arrives again: another stop may have been given since by a
+    clock that is behind. Belongs to one thread.
 
     :param system_id: whose clears count; None: everybody's
     :param micros: the time for stops without one
@@ -39,8 +42,10 @@ class EmergencyLatch:
         self._micros = micros
         self._system_id = system_id
         self._standing: Dict[str, Message] = {}  # by identity, in order of arrival; each with a timestamp
+        self._arrived: Dict[str, Tuple[float, bool]] = {}  # of those standing: when, and whether it was given again
         self._beyond: Optional[Message] = None  # the newest of those that are not told apart
         self._untimed: Set[str] = set()  # those standing that had no timestamp of their own
+        self._clears: Dict[bytes, None] = {}  # those that were heard; the oldest first
         self._lifted: Dict[str, Tuple[Optional[int], float]] = {}  # by identity: timestamp, if any, and when; the oldest first
 
     @property
@@ -66,7 +71,7 @@ class EmergencyLatch:
         """
         if stop.get("active"):
             self._latch(stop)
-        elif self._is_ours(stop):
+        elif self._is_ours(stop) and self._is_new(stop):
             self._lift(stop.get("lifts", []), stop.get("clears", -1))
         return self.active
 
@@ -78,9 +83,13 @@ class EmergencyLatch:
         if self._repeats_lifted(identity, told):
             return
         before = self._standing.get(identity)
-        if before is not None and (told is None or told <= _micros(before)):
+        if before is not None and (told is None or told == _micros(before)):
             return
         if before is not None or len(self._standing) < _TOLD_APART:
+            if before is None or identity not in self._untimed:  # else repeated with the time of who received it
+                self._arrived[identity] = time.monotonic(), before is not None
+            if before is not None and _micros(stop) < _micros(before):
+                return
             self._standing[identity] = stop
             (self._untimed.add if told is None else self._untimed.discard)(identity)
         elif self._beyond is None or _micros(stop) > _micros(self._beyond):
@@ -96,9 +105,11 @@ class EmergencyLatch:
         return before == told
 
     def _lift(self, names: List[str], until: int) -> None:
-        over = [each for each, stop in self._standing.items() if (each in names if names else _micros(stop) <= until)]
+        over = [each for each, stop in self._standing.items()
+                if (each in names if names else _micros(stop) <= until) and not self._is_unknown(each, names, until)]
         for identity in over:
             at: Optional[int] = _micros(self._standing.pop(identity))
+            self._arrived.pop(identity, None)
             if identity in self._untimed:
                 self._untimed.discard(identity)
                 at = None
@@ -108,6 +119,24 @@ class EmergencyLatch:
             del self._lifted[next(iter(self._lifted))]
         if self._beyond is not None and _micros(self._beyond) <= until:
             self._beyond = None
+
+    def _is_unknown(self, stop: str, names: List[str], until: int) -> bool:
+        """Whether nobody who clears now can have known the stop."""
+        arrived_s, is_again = self._arrived[stop]
+        is_exact = not is_again if names else _micros(self._standing[stop]) == until
+        return not is_exact and time.monotonic() - arrived_s < _UNKNOWN_S
+
+    def _is_new(self, clear: Message) -> bool:
+        """Whether a clear arrives for the first time; always for one without a timestamp."""
+        known_by = identity(clear)
+        if known_by is None:
+            return True
+        if known_by in self._clears:
+            return False
+        self._clears[known_by] = None
+        while len(self._clears) > _TOLD_APART:
+            del self._clears[next(iter(self._clears))]
+        return True
 
     def _is_ours(self, clear: Message) -> bool:
         return self._system_id is None or clear.get("systemId", self._system_id) == self._system_id

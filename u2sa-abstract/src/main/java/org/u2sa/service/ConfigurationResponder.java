@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.ChangeOrigin;
@@ -25,6 +26,7 @@ import org.u2sa.messages.contract.ConfigurationTransactionResult;
 import org.u2sa.messages.contract.ConfigurationUndo;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.inbox.AnsweredOrders;
+import org.u2sa.service.inbox.ContractOrders;
 
 /**
  * Answers queries and change requests for a service's configuration (thesis 3.2.1.1) on its thread;
@@ -41,13 +43,14 @@ final class ConfigurationResponder {
   private final ConfigurationCheck check;
   private final Consumer<Set<String>> changed;
 
-  private final AnsweredOrders<ConfigurationTransactionResult> answered = new AnsweredOrders<>();
-  private final Set<String> waiting = new HashSet<>(); // requests being written
+  private final ContractOrders answered;
+  private final Set<String> waiting = new HashSet<>(); // identities of requests being written
   private final ConfigurationWriter writer;
   private final ChangeRate rate = new ChangeRate();
   private long refused; // requests above the rate limit
 
   /**
+   * @param answered requests that have been answered, also by a predecessor
    * @param check refuses inconsistent changes
    * @param changed called after a change, with the names of the variables
    */
@@ -56,12 +59,14 @@ final class ConfigurationResponder {
       ServiceConnection connection,
       ServiceHealth health,
       ConfigurationWriter writer,
+      ContractOrders answered,
       ConfigurationCheck check,
       Consumer<Set<String>> changed) {
     this.service = service;
     this.connection = connection;
     this.health = health;
     this.writer = writer;
+    this.answered = answered;
     this.check = check;
     this.changed = changed;
     configuration = service.variables();
@@ -75,14 +80,16 @@ final class ConfigurationResponder {
           transaction,
           transaction.requestId(),
           transaction.author(),
-          inTime(transaction, transaction(transaction)));
+          inTime(transaction, transaction(transaction)),
+          written -> result(transaction.requestId(), transaction.author(), written));
     } else if (request instanceof ConfigurationUndo undo) {
       ChangeOrigin by = by(undo.author());
       once(
           undo,
           undo.requestId(),
           undo.author(),
-          inTime(undo, () -> configuration.writeUndo(by, check)));
+          inTime(undo, () -> configuration.writeUndo(by, check)),
+          written -> result(undo.requestId(), undo.author(), written));
     } else {
       connection.publish(Channels.CONFIGURATION, configuration());
     }
@@ -98,16 +105,18 @@ final class ConfigurationResponder {
   private void change(ConfigurationChange change) {
     String name = change.variableName();
     ChangeOrigin by = by("");
-    order(
+    once(
+        change,
+        "",
         "",
         inTime(
             change,
             () ->
                 configuration.write(Map.of(name, change.value()), OptionalLong.empty(), by, check)),
-        written -> answer(name, written));
+        written -> result(name, written));
   }
 
-  private void answer(String variable, WrittenChange written) {
+  private U2SAData result(String variable, WrittenChange written) {
     ConfigurationOutcome outcome = takeEffect(written, "");
     ConfigurationChangeResult result =
         new ConfigurationChangeResult()
@@ -116,7 +125,7 @@ final class ConfigurationResponder {
             .accepted(outcome.accepted())
             .value(outcome.assignments().isEmpty() ? "" : outcome.assignments().get(0).value());
     outcome.refusal().ifPresent(result::reason);
-    connection.publish(Channels.CONFIGURATION, result);
+    return result;
   }
 
   private Supplier<WrittenChange> inTime(U2SAData order, Supplier<WrittenChange> write) {
@@ -139,23 +148,31 @@ final class ConfigurationResponder {
     return () -> configuration.write(wanted, transaction.revision(), by, check);
   }
 
+  /** Carries out a request, unless it arrived twice. */
   private void once(
-      U2SAData request, String requestId, String author, Supplier<WrittenChange> write) {
-    Optional<ConfigurationTransactionResult> before = answered.to(requestId, request);
+      U2SAData request,
+      String requestId,
+      String author,
+      Supplier<WrittenChange> write,
+      Function<WrittenChange, U2SAData> result) {
+    Optional<U2SAData> before = answered.answer(requestId, request);
+    Optional<String> identity = AnsweredOrders.identity(requestId, request);
     if (before.isPresent()) {
       connection.publish(Channels.CONFIGURATION, before.get());
-    } else if (waiting.add(requestId)) {
+    } else if (identity.isEmpty() || waiting.add(identity.get())) {
       order(
           author,
           write,
           written -> {
-            waiting.remove(requestId);
-            answer(request, requestId, author, written);
+            identity.ifPresent(waiting::remove);
+            U2SAData answer = result.apply(written);
+            answered.remember(requestId, request, answer);
+            connection.publish(Channels.CONFIGURATION, answer);
           });
     }
   }
 
-  private void answer(U2SAData request, String requestId, String author, WrittenChange written) {
+  private U2SAData result(String requestId, String author, WrittenChange written) {
     ConfigurationOutcome outcome = takeEffect(written, author);
     ConfigurationTransactionResult result =
         new ConfigurationTransactionResult()
@@ -166,8 +183,7 @@ final class ConfigurationResponder {
             .revision(outcome.revision())
             .author(author);
     outcome.refusal().ifPresent(result::reason);
-    answered.remember(requestId, request, result);
-    connection.publish(Channels.CONFIGURATION, result);
+    return result;
   }
 
   /** Queues the change for writing, or refuses it unread above the rate limit. */

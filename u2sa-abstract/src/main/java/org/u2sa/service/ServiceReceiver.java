@@ -7,7 +7,9 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.safety.StopCommand;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.inbox.ContractOrders;
 import org.u2sa.service.inbox.ServiceInbox;
 
 /**
@@ -23,7 +25,8 @@ final class ServiceReceiver implements Receiver {
       ServiceConfiguration configuration,
       Registrations registrations,
       ServiceInbox inbox,
-      ServiceLife life) {
+      ServiceLife life,
+      ContractOrders orders) {
     private boolean isSubscribed(Channel<?> channel) {
       return registrations.isSubscribed(channel);
     }
@@ -85,7 +88,7 @@ final class ServiceReceiver implements Receiver {
     if (!channel.carries(message)) {
       refuse(channel, message);
     } else if (ServiceContract.isOrderToStop(name, channel, message)) {
-      stop(now.present, message);
+      stop(now.present, (StopCommand) message);
     } else {
       Recipient recipient =
           now.present.isSubscribed(channel) || ServiceContract.concerns(name, channel, message)
@@ -98,11 +101,16 @@ final class ServiceReceiver implements Receiver {
     }
   }
 
-  /** A late one was meant for another situation: without services a vehicle is out of control. */
-  private void stop(Recipient service, U2SAData order) {
+  /**
+   * A late one was meant for another situation, and one that comes twice for a service that may
+   * have been started again since: without services a vehicle is out of control.
+   */
+  private void stop(Recipient service, StopCommand order) {
     Optional<String> late = service.configuration.lateness(order);
     if (late.isPresent()) {
       trouble("not stopped, because " + late.get() + ": " + order);
+    } else if (!service.orders.isNew(order)) {
+      trouble("not stopped, because the order arrived twice: " + order);
     } else {
       service.life.stopFor("ordered to stop on \"" + Channels.STOP + "\": " + order);
     }

@@ -16,6 +16,7 @@ import java.util.function.LongConsumer;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.service.handover.HandOver;
+import org.u2sa.service.inbox.ContractOrders;
 import org.u2sa.service.inbox.ServiceInbox;
 
 /** Takeover by another class at run time (user story 8), and restarts with saved state. */
@@ -28,6 +29,8 @@ final class Succession {
   private final LongConsumer firstStepAt;
   private final Consumer<String> remark;
   private final ProgressFile progress;
+  private final ProgressFile orderFile;
+  private final ContractOrders orders = new ContractOrders(this::saveOrders);
   private final AtomicReference<Order> ordered = new AtomicReference<>();
   private final Map<String, Map<String, Deque<ServiceInbox.Delivery>>> retained =
       new LinkedHashMap<>(); // latest by channel and source; confined to the service's thread
@@ -59,6 +62,34 @@ final class Succession {
     this.firstStepAt = firstStepAt;
     this.remark = remark;
     progress = new ProgressFile(context, configuration.name());
+    orderFile = new ProgressFile(context, configuration.name() + ".orders");
+    resumeOrders();
+  }
+
+  /** Orders to stop and to change variables. */
+  ContractOrders orders() {
+    return orders;
+  }
+
+  /** Before the service is connected, because an order may arrive a second time at once. */
+  private void resumeOrders() {
+    boolean isRepeated = configuration.execution().inheritance().isPresent();
+    if (isRepeated || !context.isRestart() && !context.isSwap()) {
+      return;
+    }
+    try {
+      orderFile.read().ifPresent(orders::takeOver);
+    } catch (IOException | RuntimeException e) {
+      ordersUnknown("orders that came before the restart are not known: ", e);
+    }
+  }
+
+  private void saveOrders(HandOver state) {
+    orderFile.write(state, () -> {}, e -> ordersUnknown("orders are not saved: ", e));
+  }
+
+  private void ordersUnknown(String what, Exception why) {
+    configuration.log(LogLevelEnum.WARN, what + why.getMessage());
   }
 
   /** Before the first start: restores the state saved before a restart, or deletes it. */
@@ -78,6 +109,9 @@ final class Succession {
         resumeFrom(before.get());
       } else {
         progress.delete(this::startsFresh); // left by another run
+      }
+      if (!context.isRestart()) {
+        orderFile.delete(e -> ordersUnknown("orders of an earlier run were not deleted: ", e));
       }
     } catch (IOException e) {
       startsFresh(e);

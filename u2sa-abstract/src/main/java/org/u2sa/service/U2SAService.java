@@ -90,11 +90,6 @@ public abstract class U2SAService extends Thread
     life = new ServiceLife(this, configuration, health, loop, host());
     ServiceInbox inbox =
         new ServiceInbox(configuration.settings().inboxCapacity(), configuration.clock());
-    recipient = new ServiceReceiver.Recipient(configuration, registrations, inbox, life);
-    connection = new ServiceConnection(context, recipient, loop);
-    context.onAbandon(connection::close);
-    channels = new ServiceRegistration(connection, role);
-    configurationWriter = new ConfigurationWriter(configuration, life);
     succession =
         new Succession(
             context,
@@ -102,6 +97,13 @@ public abstract class U2SAService extends Thread
             this::takeOver,
             this::firstStepAt,
             what -> remark("STATE", what));
+    recipient =
+        new ServiceReceiver.Recipient(
+            configuration, registrations, inbox, life, succession.orders());
+    connection = new ServiceConnection(context, recipient, loop);
+    context.onAbandon(connection::close);
+    channels = new ServiceRegistration(connection, role);
+    configurationWriter = new ConfigurationWriter(configuration, life);
     reporter =
         new HealthReporter(recipient, connection, health, loop == null ? this : loop.messages());
     ConfigurationResponder responder =
@@ -110,6 +112,7 @@ public abstract class U2SAService extends Thread
             connection,
             health,
             configurationWriter,
+            succession.orders(),
             this::configurationRefusal,
             this::configurationChanged);
     handling =

@@ -16,11 +16,14 @@ import org.u2sa.interfaces.configuration.Range;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.ConfigurationAssignment;
+import org.u2sa.messages.contract.ConfigurationChange;
+import org.u2sa.messages.contract.ConfigurationChangeResult;
 import org.u2sa.messages.contract.ConfigurationRequest;
 import org.u2sa.messages.contract.ConfigurationResponse;
 import org.u2sa.messages.contract.ConfigurationTransaction;
 import org.u2sa.messages.contract.ConfigurationTransactionResult;
 import org.u2sa.messages.contract.ConfigurationUndo;
+import org.u2sa.messages.safety.StopCommand;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.testkit.ServiceKit;
 
@@ -152,6 +155,56 @@ class ServiceConfigurationTest {
     assertThat(second).isEqualTo(first);
     assertThat(service.getVariable("LOW")).isEqualTo(3.0);
     assertThat(service.changed).hasSize(3);
+  }
+
+  /** The service may be restarted between the two deliveries. */
+  @Test
+  void transaction_sentTwiceByTheNetworkAroundARestart_isAnsweredAgainAndDoneOnce() {
+    ConfigurationTransaction order = transaction("1", "LOW", "3");
+    ConfigurationTransactionResult first = transact(order);
+    transact(transaction("1", "LOW", "4"));
+
+    service = kit.restart(service, Tuned::new);
+    transact(transaction("2", "LOW", "4.5"));
+    ConfigurationTransactionResult second = transact(order);
+
+    assertThat(second).isEqualTo(first);
+    assertThat(service.getVariable("LOW")).isEqualTo(4.5);
+  }
+
+  @Test
+  void change_sentTwiceByTheNetwork_isDoneOnce() {
+    ConfigurationChange order =
+        new ConfigurationChange().serviceName("Tuned").variableName("LOW").value("3");
+    ConfigurationChangeResult first = answer(order, ConfigurationChangeResult.class);
+    transact(transaction("1", "LOW", "4"));
+
+    assertThat(answer(order, ConfigurationChangeResult.class)).isEqualTo(first);
+    assertThat(service.getVariable("LOW")).isEqualTo(4.0);
+  }
+
+  @Test
+  void transactions_underOneIdAtOnce_areBothDone() {
+    kit.send(Channels.CONFIGURATION, transaction("1", "LOW", "3"));
+    kit.publish(Channels.CONFIGURATION, transaction("1", "MODE", "FAST"));
+
+    assertThat(service.getVariable("LOW")).isEqualTo(3.0);
+    assertThat(service.getVariable("MODE")).isEqualTo("FAST");
+  }
+
+  @Test
+  void stop_sentTwiceByTheNetworkAroundARestart_isObeyedOnce() {
+    StopCommand order = new StopCommand().serviceName("Tuned");
+    kit.publish(Channels.STOP, order);
+    assertThat(service.isRunning()).isFalse();
+
+    service = kit.restart(service, Tuned::new);
+    kit.publish(Channels.STOP, order);
+    assertThat(service.isRunning()).isTrue();
+
+    kit.advance(0.1);
+    kit.publish(Channels.STOP, new StopCommand().serviceName("Tuned"));
+    assertThat(service.isRunning()).isFalse();
   }
 
   @Test

@@ -16,6 +16,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.safety.StopCommand;
 import org.u2sa.service.inbox.CallbackStopwatch;
+import org.u2sa.service.inbox.ContractOrders;
 import org.u2sa.service.inbox.ServiceInbox;
 
 /** Dispatch and life cycle by themselves, without a service. */
@@ -52,7 +53,11 @@ class ServicePartsTest {
             () -> steps.add("disconnect"));
     ServiceLife life = new ServiceLife(new Thread(() -> {}), configuration, health, null, host);
     return new ServiceReceiver.Recipient(
-        configuration, new Registrations(), new ServiceInbox(10, configuration.clock()), life);
+        configuration,
+        new Registrations(),
+        new ServiceInbox(10, configuration.clock()),
+        life,
+        new ContractOrders(state -> {}));
   }
 
   @Test

@@ -72,6 +72,11 @@ public final class MavlinkStream {
     return partial;
   }
 
+  /** Whether a partial frame waits for its rest. */
+  public boolean isPartial() {
+    return pending.length > 0;
+  }
+
   /** Bytes consumed so far; unchanged while a partial frame waits for its rest. */
   public long consumed() {
     return consumed;
@@ -121,42 +126,83 @@ public final class MavlinkStream {
     if (left == 0) {
       return 0;
     }
-    int magic = pending[from] & 0xFF;
-    if (!isMagic((byte) magic)) {
-      return 1;
-    }
-    int header = magic == MAGIC_2 ? HEADER_2 : HEADER_1;
-    if (left < header) {
-      return 0;
-    }
-    int flags = magic == MAGIC_2 ? pending[from + 2] & 0xFF : 0;
-    if ((flags & ~SIGNED) != 0) {
+    int whole = size(from);
+    if (whole == 0) {
       return 1; // the frame must be dropped
     }
-    int payload = pending[from + 1] & 0xFF;
-    int whole = header + payload + CHECKSUM + (flags == SIGNED ? SIGNATURE : 0);
     if (left < whole) {
       return 0;
     }
-    byte[] frame = Arrays.copyOfRange(pending, from, from + whole);
-    return decode(frame, to) ? whole : 1;
+    MavlinkPacket packet = packet(from, whole);
+    if (!dialect.supports(packet.getMessageId())) {
+      return passOver(from, whole);
+    }
+    return decode(packet, to) ? whole : 1;
   }
 
-  /** Returns false if the bytes are not a frame. */
-  private boolean decode(byte[] frame, Consumer<Received> to) {
-    MavlinkPacket packet =
-        (frame[0] & 0xFF) == MAGIC_2
-            ? MavlinkPacket.fromV2Bytes(frame)
-            : MavlinkPacket.fromV1Bytes(frame);
+  /** Bytes of the frame that begins at an index, as far as known; 0 if none begins. */
+  private int size(int from) {
+    int magic = pending[from] & 0xFF;
+    if (!isMagic((byte) magic)) {
+      return 0;
+    }
+    int header = magic == MAGIC_2 ? HEADER_2 : HEADER_1;
+    if (pending.length - from < header) {
+      return header;
+    }
+    int flags = magic == MAGIC_2 ? pending[from + 2] & 0xFF : 0;
+    if ((flags & ~SIGNED) != 0) {
+      return 0;
+    }
+    int payload = pending[from + 1] & 0xFF;
+    return header + payload + CHECKSUM + (flags == SIGNED ? SIGNATURE : 0);
+  }
+
+  private MavlinkPacket packet(int from, int whole) {
+    byte[] frame = Arrays.copyOfRange(pending, from, from + whole);
+    return (frame[0] & 0xFF) == MAGIC_2
+        ? MavlinkPacket.fromV2Bytes(frame)
+        : MavlinkPacket.fromV1Bytes(frame);
+  }
+
+  /**
+   * Passes over an unknown message, whose checksum cannot be verified. It was noise, and only its
+   * first byte is consumed, if no frame follows it, or if it contains a valid one.
+   */
+  private int passOver(int from, int whole) {
+    if (pending.length == from + whole) {
+      return 0; // the next byte tells
+    }
+    boolean isFollowed = isMagic(pending[from + whole]);
+    return isFollowed && !containsMessage(from + 1, from + whole) ? whole : 1;
+  }
+
+  private boolean containsMessage(int from, int until) {
+    for (int at = from; at < until; at++) {
+      int whole = size(at);
+      if (whole > 0 && at + whole <= pending.length && isValid(packet(at, whole))) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private boolean isValid(MavlinkPacket packet) {
     if (!dialect.supports(packet.getMessageId())) {
-      return true; // unknown message: its checksum cannot be verified
+      return false;
     }
     Class<?> type = dialect.resolve(packet.getMessageId());
-    if (!packet.validateCrc(type.getAnnotation(MavlinkMessageInfo.class).crc())) {
+    return packet.validateCrc(type.getAnnotation(MavlinkMessageInfo.class).crc());
+  }
+
+  /** Delivers a known message; returns false if the bytes are not a frame. */
+  private boolean decode(MavlinkPacket packet, Consumer<Received> to) {
+    Class<?> type = dialect.resolve(packet.getMessageId());
+    if (!isValid(packet)) {
       refuse(type.getSimpleName() + ": wrong checksum");
       return false;
     }
-    String refusal = signing.map(each -> each.refusal(frame)).orElse("");
+    String refusal = signing.map(each -> each.refusal(packet.getRawBytes())).orElse("");
     if (!refusal.isEmpty()) {
       refuse(type.getSimpleName() + ": " + refusal);
       return true;

@@ -81,6 +81,21 @@ class MavlinkStreamTest {
     assertThat(stream.malformed()).isZero();
   }
 
+  /** Noise that looks like the start of a message of another dialect. */
+  @Test
+  void accept_falseStartOfAnUnknownMessage_losesNoMessageBehindIt() {
+    for (int length = 0; length < 256; length++) {
+      stream.reset();
+      heard.clear();
+      say((byte) 0xFD, (byte) length, (byte) 0, (byte) 7, (byte) 1, (byte) 1);
+      say((byte) 0x50, (byte) 0xC3, (byte) 0);
+      for (int i = 0; i < 12; i++) {
+        say(POSITION);
+      }
+      assertThat(heard).as("length " + length).hasSize(12);
+    }
+  }
+
   @Test
   void accept_anyBitTurned_isRefusedAndTheNextIsRead() {
     for (int bit = 8; bit < 8 * ATTITUDE.length; bit++) {

@@ -32,6 +32,7 @@ import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 import org.u2sa.service.handover.HandOver;
+import org.u2sa.service.inbox.ObeyedOrders;
 
 /**
  * Manages the mission's goals and publishes the current ones (thesis 3.2.3.2). In: goal-reports,
@@ -60,6 +61,7 @@ public final class MissionManager extends PeriodicService {
   private static final String DIGEST = "MISSION DIGEST"; // in the hand-over
   private static final long MANUAL_NEWS_MICROS =
       5 * Clock.MICROS_PER_SECOND; // older: from another run
+  private static final String OBEYED = "OBEYED COMMANDS AND UPDATES";
   private static final double LIMITS_CHECKED_HZ = 5.0;
   private static final long REPEAT_EVERY_MICROS = Clock.MICROS_PER_SECOND;
   private static final int MAX_WAITED = 3; // repetitions, one a second
@@ -71,6 +73,7 @@ public final class MissionManager extends PeriodicService {
   private final FailsafeMissions failsafes;
   private final MissionFiles files;
   private final MissionOrders orders;
+  private final ObeyedOrders obeyed = new ObeyedOrders(); // goal commands and updates
   private final MissionRun run = new MissionRun(clock(), this::thresholdM);
   private final TimeLimits limits = new TimeLimits(run, this);
   private final Map<String, Long> reportedMicros = new HashMap<>(); // latest report by goal
@@ -213,6 +216,7 @@ public final class MissionManager extends PeriodicService {
     limits.handOver(state);
     byHand.handOver(state);
     orders.handOver(state);
+    state.texts(OBEYED, obeyed.identities());
     run.progress().handOver(state);
   }
 
@@ -220,6 +224,7 @@ public final class MissionManager extends PeriodicService {
   protected void takeOver(HandOver state) {
     byHand.takeOver(state);
     orders.takeOver(state);
+    obeyed.takeOver(state.texts(OBEYED));
     boolean isItsFile =
         state.text(MissionVariables.MISSION).filter(settings.get().mission()::equals).isPresent();
     // a re-executed recording has a copy elsewhere
@@ -387,6 +392,10 @@ public final class MissionManager extends PeriodicService {
       ignore("update of goal \"" + goal.uid() + "\" refused: " + late.get());
       return;
     }
+    if (!obeyed.add("", goal)) {
+      ignore("update of goal \"" + goal.uid() + "\" ignored: it has already arrived");
+      return;
+    }
     GoalSequence updated = run.progress().knowing(goal.uid());
     if (!updated.book.hasRoomForUpdate(goal)) {
       ignore(
@@ -412,6 +421,10 @@ public final class MissionManager extends PeriodicService {
     Optional<String> late = lateness(command);
     if (late.isPresent()) {
       log(LogLevelEnum.WARN, "command to change to goal \"" + uid + "\" rejected: " + late.get());
+      return;
+    }
+    if (!obeyed.add("", command)) {
+      log(LogLevelEnum.WARN, "command to change to goal \"" + uid + "\" ignored: it came twice");
       return;
     }
     if (!run.progress().pursued().knows(uid)) {

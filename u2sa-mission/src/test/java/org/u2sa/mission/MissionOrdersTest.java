@@ -12,6 +12,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.GoalResult;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.mission.GoalCommand;
@@ -612,5 +613,26 @@ class MissionOrdersTest extends ThreeWaypoints {
         .anyMatch(line -> line.contains("update of goal \"1\" refused: the order arrived 20.0 s"));
     kit.publish(Channels.GOAL_COMMANDS, lateBy(4.0, new GoalCommand().uid("3")));
     assertThat(current()).containsExactly("3");
+  }
+
+  /** As a broker may deliver them (QoS 1), the second time to a restarted Mission Manager. */
+  @Test
+  void goalCommandAndUpdate_thatArriveAgain_haveNoEffect() {
+    MissionManager manager = kit.start(MissionManager::new);
+    GoalCommand command = new GoalCommand().uid("3");
+    Waypoint update = new Waypoint().uid("1").x(77.0).y(1.0).horizontalThreshold(1.0);
+    kit.publish(Channels.GOAL_COMMANDS, command);
+    kit.publish(Channels.GOAL_UPDATES, update);
+    kit.advance(1.0);
+    kit.publish(Channels.GOAL_UPDATES, update.copy().x(78.0));
+    kit.publish(Channels.GOAL_COMMANDS, new GoalCommand().uid("1"));
+
+    kit.restart(manager, MissionManager::new);
+    kit.publish(Channels.GOAL_COMMANDS, command);
+    kit.publish(Channels.GOAL_UPDATES, update);
+
+    assertThat(current()).containsExactly("1");
+    GoalList goals = kit.latest(Channels.GOALS).orElseThrow();
+    assertThat(((Waypoint) goals.goals().get(0)).x()).hasValue(78.0);
   }
 }

@@ -13,12 +13,14 @@ import java.util.Set;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.safety.EmergencyStop;
 import org.u2sa.service.handover.HandOver;
+import org.u2sa.service.inbox.ObeyedOrders;
 
 /**
  * Latch for emergency stops. Each stop latches separately, and is cleared only by a clear with its
  * ID, or one without ID and with the same or a later timestamp. Fail-safe: a stop of unknown origin
  * or time latches too, a stop that reuses the ID of a cleared one latches again, and a clear from
- * another system has no effect. Not thread-safe.
+ * another system, or one that arrives again, has no effect: since the first time another stop may
+ * have been given, by a clock that is behind. Not thread-safe.
  */
 public final class EmergencyLatch {
   /** Stops tracked individually; beyond it, as in a flood, only the newest is kept. */
@@ -30,12 +32,19 @@ public final class EmergencyLatch {
    */
   private static final long REPEATED_MICROS = 10 * Clock.MICROS_PER_SECOND;
 
+  /**
+   * A clear given for other stops does not lift one that arrived so shortly before it [µs]: who
+   * cleared cannot have known that.
+   */
+  private static final long UNKNOWN_MICROS = Clock.MICROS_PER_SECOND / 2;
+
   private static final long LONG_AGO_MICROS = Long.MIN_VALUE / 2;
 
   private static final String STANDING = "EMERGENCY STOPS";
   private static final String LIFTED = "LIFTED EMERGENCY STOPS";
   private static final String LIFTED_TIMES = "TIMES OF LIFTED EMERGENCY STOPS";
   private static final String CLEAR_TIMES = "TIMES OF CLEARS";
+  private static final String CLEARS = "CLEARS";
   private static final String UNTIMED = "EMERGENCY STOPS WITHOUT A TIME";
 
   /**
@@ -44,11 +53,19 @@ public final class EmergencyLatch {
    */
   private record Lifted(OptionalLong saidMicros, long liftedMicros) {}
 
+  /**
+   * @param arrivedMicros when it was given, or given again under its ID [µs of this clock]
+   * @param isAgain whether it was given again, with another timestamp
+   */
+  private record Held(EmergencyStop stop, long arrivedMicros, boolean isAgain) {}
+
   private final Clock clock;
   private final String systemId;
-  private final Map<String, EmergencyStop> standing = new LinkedHashMap<>(); // by identity
+  private final Map<String, Held> standing = new LinkedHashMap<>(); // by identity
+  private final List<EmergencyStop> spared = new ArrayList<>(); // by the last clear
   private final Set<String> untimed = new HashSet<>(); // stops without a timestamp
   private final Map<String, Lifted> lifted = new LinkedHashMap<>(); // by identity, the oldest first
+  private final ObeyedOrders clears = new ObeyedOrders();
   private EmergencyStop beyond; // newest untracked stop; null if none is active
 
   /**
@@ -68,27 +85,43 @@ public final class EmergencyLatch {
     boolean before = isStopped();
     if (message.active()) {
       latch(message);
-    } else if (message.systemId().isEmpty() || message.systemId().equals(systemId)) {
+    } else if (isOwn(message) && clears.add("", message)) {
       lift(message);
     }
     return isStopped() != before;
   }
 
+  private boolean isOwn(EmergencyStop clear) {
+    return clear.systemId().isEmpty() || clear.systemId().equals(systemId);
+  }
+
   private void latch(EmergencyStop message) {
     EmergencyStop stop = message.timestamp().isPresent() ? message : stamped(message);
     if (!isRepeatOfLifted(stop.identity(), message.timestamp())) {
-      hold(stop, message.timestamp().isEmpty());
+      hold(stop, message.timestamp().isEmpty(), clock.micros());
     }
   }
 
-  private void hold(EmergencyStop stop, boolean isUntimed) {
+  private void hold(EmergencyStop stop, boolean isUntimed, long arrivedMicros) {
     String identity = stop.identity();
-    EmergencyStop before = standing.get(identity);
-    if (before != null && (isUntimed || micros(stop) <= micros(before))) {
+    Held before = standing.get(identity);
+    boolean wasUntimed = untimed.contains(identity);
+    long said = micros(stop);
+    if (before != null && (isUntimed || said == micros(before.stop()))) {
       return;
     }
     if (before != null || standing.size() < TOLD_APART) {
-      standing.put(identity, stop); // the newer one of an ID counts for clears up to a time
+      boolean isNewer = before == null || said > micros(before.stop());
+      EmergencyStop counting = isNewer ? stop : before.stop(); // for clears up to a time
+      boolean isSame = before != null && wasUntimed; // repeated with the time of who received it
+      standing.put(
+          identity,
+          isSame
+              ? new Held(counting, before.arrivedMicros(), before.isAgain())
+              : new Held(counting, arrivedMicros, before != null));
+      if (!isNewer) {
+        return;
+      }
       if (isUntimed) {
         untimed.add(identity);
       } else {
@@ -129,17 +162,51 @@ public final class EmergencyLatch {
   private void lift(EmergencyStop clear) {
     Set<String> names = Set.copyOf(clear.lifts());
     long untilMicros = clear.clears().orElse(Long.MIN_VALUE);
-    Iterator<EmergencyStop> stops = standing.values().iterator();
+    spared.clear();
+    Iterator<Held> stops = standing.values().iterator();
     while (stops.hasNext()) {
-      EmergencyStop stop = stops.next();
-      if (names.isEmpty() ? micros(stop) <= untilMicros : names.contains(stop.identity())) {
+      Held held = stops.next();
+      EmergencyStop stop = held.stop();
+      boolean isMeant =
+          names.isEmpty() ? micros(stop) <= untilMicros : names.contains(stop.identity());
+      boolean isExact = names.isEmpty() ? micros(stop) == untilMicros : !held.isAgain();
+      if (isMeant && (isExact || !isUnknown(held))) {
         stops.remove();
         remember(stop);
+      } else if (isMeant) {
+        spared.add(stop);
       }
     }
     if (beyond != null && micros(beyond) <= untilMicros) {
       beyond = null;
     }
+  }
+
+  /**
+   * Gives a standing stop a new timestamp, so that services that have lifted it stop again; returns
+   * the stop to publish.
+   */
+  public EmergencyStop renew(EmergencyStop stop) {
+    EmergencyStop again = stamped(stop);
+    Held held = standing.get(stop.identity());
+    if (held == null) { // beyond those told apart
+      hold(again, false, clock.micros());
+    } else {
+      untimed.remove(stop.identity());
+      standing.put(again.identity(), new Held(again, held.arrivedMicros(), held.isAgain()));
+    }
+    return again;
+  }
+
+  /** Whether nobody who clears now can have known the stop. */
+  private boolean isUnknown(Held held) {
+    long sinceMicros = clock.micros() - held.arrivedMicros();
+    return sinceMicros >= 0 && sinceMicros < UNKNOWN_MICROS; // negative: the clock was set back
+  }
+
+  /** Stops that the last clear covers by its words, but that were given just before it. */
+  public List<EmergencyStop> spared() {
+    return List.copyOf(spared);
   }
 
   private void remember(EmergencyStop stop) {
@@ -164,7 +231,8 @@ public final class EmergencyLatch {
 
   /** All active tracked stops, in order of arrival. */
   public List<EmergencyStop> stops() {
-    List<EmergencyStop> stops = new ArrayList<>(standing.values());
+    List<EmergencyStop> stops = new ArrayList<>();
+    standing.values().forEach(held -> stops.add(held.stop()));
     if (beyond != null) {
       stops.add(beyond);
     }
@@ -181,33 +249,35 @@ public final class EmergencyLatch {
   /** Saves the active and the lifted stops. */
   public void handOver(HandOver state) {
     List<String> times = new ArrayList<>();
-    List<String> clears = new ArrayList<>();
+    List<String> liftTimes = new ArrayList<>();
     for (Lifted each : lifted.values()) {
       times.add(text(each.saidMicros()));
-      clears.add(Long.toString(each.liftedMicros()));
+      liftTimes.add(Long.toString(each.liftedMicros()));
     }
     state
         .messages(STANDING, stops())
         .texts(UNTIMED, untimed)
         .texts(LIFTED, lifted.keySet())
         .texts(LIFTED_TIMES, times)
-        .texts(CLEAR_TIMES, clears);
+        .texts(CLEAR_TIMES, liftTimes)
+        .texts(CLEARS, clears.identities());
   }
 
   /** Restores the saved state; without it, starts with no stop. */
   public void takeOver(HandOver state) {
     List<String> identities = state.texts(LIFTED);
     List<String> times = state.texts(LIFTED_TIMES); // these two: none from an earlier version
-    List<String> clears = state.texts(CLEAR_TIMES);
+    List<String> liftTimes = state.texts(CLEAR_TIMES);
     for (int i = 0; i < identities.size(); i++) {
       OptionalLong said = i < times.size() ? micros(times.get(i)) : OptionalLong.empty();
-      OptionalLong clear = i < clears.size() ? micros(clears.get(i)) : OptionalLong.empty();
+      OptionalLong clear = i < liftTimes.size() ? micros(liftTimes.get(i)) : OptionalLong.empty();
       lifted.put(identities.get(i), new Lifted(said, clear.orElse(LONG_AGO_MICROS)));
     }
+    clears.takeOver(state.texts(CLEARS));
     List<String> withoutTime = state.texts(UNTIMED);
     state
         .messages(STANDING, EmergencyStop.class)
-        .forEach(stop -> hold(stop, withoutTime.contains(stop.identity())));
+        .forEach(stop -> hold(stop, withoutTime.contains(stop.identity()), LONG_AGO_MICROS));
   }
 
   private static String text(OptionalLong micros) {

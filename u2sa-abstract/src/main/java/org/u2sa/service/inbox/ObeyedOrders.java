@@ -1,11 +1,10 @@
 package org.u2sa.service.inbox;
 
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
-import java.util.UUID;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
@@ -24,19 +23,15 @@ public final class ObeyedOrders {
    * @return whether it is new; always for one without ID and timestamp, which nobody can recognise
    */
   public boolean add(String requestId, U2SAData order) {
-    if (requestId.isEmpty() && !order.timestamp().isPresent()) {
+    Optional<String> identity = OrderIdentity.of(requestId, order);
+    if (identity.isEmpty()) {
       return true;
     }
-    boolean isNew = identities.add(identity(requestId + " " + order.timestamp()));
+    boolean isNew = identities.add(identity.get());
     if (identities.size() > REMEMBERED) {
       identities.remove(identities.iterator().next());
     }
     return isNew;
-  }
-
-  /** As long for a long ID as for a short one. */
-  private static String identity(String text) {
-    return UUID.nameUUIDFromBytes(text.getBytes(StandardCharsets.UTF_8)).toString();
   }
 
   /** For a successor, the oldest first. */

@@ -6,42 +6,54 @@ import org.u2sa.messages.schema.U2SAData;
 /**
  * Recognises messages of a regular stream that were held up on their way, without comparing clocks:
  * the sender's may be wrong. A message is late by as much as its age exceeds the least age so far.
- * Ages that stay higher are accepted after a while, because then a clock was set. Not thread-safe.
+ * Ages that stay higher are accepted after a while, because then a clock was set, or another
+ * program with another clock sends under the same name. Not thread-safe.
  */
 public final class StreamDelay {
   private static final double ACCEPTED_AFTER_S = 10.0;
-  private static final double STEADY_S = 1.0; // ages that differ by less
+  private static final double STEADY_S = 0.6; // ages that differ by less
+  private static final double PAUSE_S = 2.5; // of a steady stream
   private static final double DRIFT = 1e-4; // of two clocks
 
   /** For how long ages have stayed near the first one. */
   private static final class Level {
+    private final double withinS;
+    private final double pauseS;
     private double sinceS;
+    private double lastS;
     private double ageS = Double.NaN;
 
-    double lastsS(double nextAgeS, double withinS, double nowS) {
-      if (!(Math.abs(nextAgeS - ageS) <= withinS)) {
+    Level(double withinS, double pauseS) {
+      this.withinS = withinS;
+      this.pauseS = pauseS;
+    }
+
+    double lastsS(double nextAgeS, double nowS) {
+      if (!(Math.abs(nextAgeS - ageS) <= withinS) || nowS - lastS > pauseS) {
         ageS = nextAgeS;
         sinceS = nowS;
       }
+      lastS = nowS;
       return nowS - sinceS;
     }
   }
 
-  private final double steadyAfterS;
+  private final double steadyAfterS; // infinite: never
   private boolean isBegun;
   private double leastS; // by two clocks, so it may be negative
   private double nowS; // of the newest message
-  private Level rough = new Level(); // of late messages
-  private Level steady = new Level();
+  private Level rough; // of late messages; null before the first
+  private final Level steady = new Level(STEADY_S, PAUSE_S);
 
   /** Accepts higher ages after 10 s. */
   public StreamDelay() {
-    this(ACCEPTED_AFTER_S);
+    this(Double.POSITIVE_INFINITY);
   }
 
   /**
-   * Also accepts higher ages that stay the same, within a second: messages that come as regularly
-   * as they were sent are not a backlog.
+   * Also accepts higher ages that stay the same: messages that come as regularly as they were sent
+   * are not a backlog. They may come beside those of another program that sends under the same
+   * name.
    *
    * @param steadyAfterS after so long [s]
    */
@@ -68,14 +80,14 @@ public final class StreamDelay {
     }
     leastS = isBegun && isInTime ? Math.min(leastS, ageS) : ageS;
     isBegun = true;
-    rough = new Level();
-    steady = new Level();
+    rough = null;
     return false;
   }
 
   private boolean staysHigher(double ageS, double limitS) {
-    double roughS = rough.lastsS(ageS, limitS, nowS);
-    double steadyS = steady.lastsS(ageS, STEADY_S, nowS);
+    rough = rough == null ? new Level(limitS, Double.POSITIVE_INFINITY) : rough;
+    double roughS = rough.lastsS(ageS, nowS);
+    double steadyS = steady.lastsS(ageS, nowS);
     return roughS >= ACCEPTED_AFTER_S || steadyS >= steadyAfterS;
   }
 }

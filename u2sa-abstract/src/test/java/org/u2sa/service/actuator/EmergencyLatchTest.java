@@ -43,6 +43,91 @@ class EmergencyLatchTest {
     assertThat(latch.stop().orElseThrow().timestamp()).hasValue(200);
   }
 
+  private static EmergencyStop clearGivenAt(long micros) {
+    EmergencyStop clear = clear(micros).operator("Ann");
+    clear.timestamp(micros);
+    return clear;
+  }
+
+  /** The Safety Manager publishes it again, and a broker may deliver it twice. */
+  @Test
+  void accept_clearThatArrivesAgain_leavesAStopThatCameInBetweenWithAClockThatIsBehind()
+      throws InterruptedException {
+    latch.accept(stop(100));
+    clock.advance(500_000);
+    assertThat(latch.accept(clearGivenAt(200))).isTrue();
+    assertThat(latch.accept(stop(50))).isTrue();
+    clock.advance(500_000);
+
+    assertThat(latch.accept(clearGivenAt(200))).isFalse();
+    assertThat(successor().accept(clearGivenAt(200))).isFalse();
+    assertThat(latch.isStopped()).isTrue();
+    assertThat(latch.accept(clearGivenAt(201))).as("given again").isTrue();
+  }
+
+  /** Given by a program whose clock is behind; who cleared cannot have heard of it. */
+  @Test
+  void accept_clearUpToATime_sparesAnEarlierOneThatHasJustArrived() throws InterruptedException {
+    latch.accept(stop(100));
+    clock.advance(500_000);
+    latch.accept(stop(50));
+
+    assertThat(latch.accept(clear(200))).isFalse();
+    assertThat(latch.stops()).containsExactly(stop(50));
+    assertThat(latch.spared()).containsExactly(stop(50));
+
+    clock.advance(500_000);
+    assertThat(latch.accept(clear(200))).isTrue();
+    assertThat(latch.spared()).isEmpty();
+  }
+
+  @Test
+  void accept_clearByName_sparesAStopThatWasJustGivenAgainUnderItsName()
+      throws InterruptedException {
+    latch.accept(named("button", 100));
+    clock.advance(5_000_000);
+    latch.accept(named("button", 50));
+
+    assertThat(latch.accept(lift("button"))).isFalse();
+    clock.advance(500_000);
+    assertThat(latch.accept(lift("button"))).isTrue();
+  }
+
+  /** The Safety Manager repeats it with the time at which it arrived there. */
+  @Test
+  void accept_stopWithoutATimeThatIsRepeatedWithOne_isClearedAtOnce() throws InterruptedException {
+    clock.advance(100);
+    latch.accept(untimed("button"));
+    for (int i = 0; i < 3; i++) {
+      latch.accept(named("button", 90));
+    }
+    assertThat(latch.accept(lift("button"))).isTrue();
+    latch.accept(untimed("other"));
+    latch.accept(named("other", 110));
+    assertThat(latch.accept(lift("other"))).isTrue();
+  }
+
+  @Test
+  void renew_standingStop_isClearedByItsNameAtOnce() throws InterruptedException {
+    latch.accept(named("button", 100));
+    clock.advance(200);
+    EmergencyStop again = latch.renew(latch.stop().orElseThrow());
+
+    assertThat(again.timestamp()).hasValue(200);
+    assertThat(latch.stops()).containsExactly(again);
+    assertThat(latch.accept(lift("button"))).isTrue();
+  }
+
+  @Test
+  void accept_clearsWithoutTime_countEach() throws InterruptedException {
+    latch.accept(stop(100));
+    latch.accept(clear(100));
+    latch.accept(stop(90));
+    clock.advance(500_000);
+
+    assertThat(latch.accept(clear(100))).isTrue();
+  }
+
   @Test
   void accept_clearThatNamesNothingOrIsForeign_liftsNothing() {
     latch.accept(stop(100));
@@ -278,10 +363,11 @@ class EmergencyLatchTest {
   }
 
   @Test
-  void accept_oneStopMore_standsUntilItsTimeIsCleared() {
+  void accept_oneStopMore_standsUntilItsTimeIsCleared() throws InterruptedException {
     fill();
     latch.accept(named("late", 1_000));
     assertThat(latch.identities()).hasSize(TOLD_APART + 1).endsWith("late");
+    clock.advance(500_000);
 
     latch.accept(clear(999));
     latch.accept(lift("late"));

@@ -7,9 +7,23 @@ import org.u2sa.messages.safety.ArmCommand;
 
 class ObeyedOrdersTest {
   private static ArmCommand at(long micros) {
-    ArmCommand command = new ArmCommand();
+    ArmCommand command = untimed();
     command.timestamp(micros);
     return command;
+  }
+
+  private static ArmCommand untimed() {
+    return new ArmCommand().requestId("id").arm(true).operator("Ann");
+  }
+
+  /** Two updates of goals, for example, may be published in the same microsecond. */
+  @Test
+  void add_otherContentWithTheSameIdAndTime_isNew() {
+    ObeyedOrders orders = new ObeyedOrders();
+    orders.add("", at(5));
+
+    assertThat(orders.add("", at(5).operator("Bob"))).isTrue();
+    assertThat(orders.add("", at(5))).isFalse();
   }
 
   @Test
@@ -20,8 +34,8 @@ class ObeyedOrdersTest {
     assertThat(orders.add("1", at(5))).isFalse();
     assertThat(orders.add("1", at(6))).as("given again").isTrue();
     assertThat(orders.add("2", at(5))).isTrue();
-    assertThat(orders.add("1", new ArmCommand())).isTrue();
-    assertThat(orders.add("1", new ArmCommand())).isFalse();
+    assertThat(orders.add("1", untimed())).isTrue();
+    assertThat(orders.add("1", untimed())).isFalse();
     assertThat(orders.add("", at(5))).isTrue();
     assertThat(orders.add("", at(5))).isFalse();
   }
@@ -30,8 +44,8 @@ class ObeyedOrdersTest {
   void add_withoutIdAndTime_isAlwaysNew() {
     ObeyedOrders orders = new ObeyedOrders();
 
-    assertThat(orders.add("", new ArmCommand())).isTrue();
-    assertThat(orders.add("", new ArmCommand())).isTrue();
+    assertThat(orders.add("", untimed())).isTrue();
+    assertThat(orders.add("", untimed())).isTrue();
   }
 
   @Test

@@ -74,6 +74,42 @@ class StreamDelayTest {
     steady(15.0, 25.0);
   }
 
+  /** Two programs of one operator; the one whose clock is right ends. */
+  @Test
+  void isLate_anotherProgramWithAClockThatIsBehind_countsWhenTheFirstEnds() {
+    delay = new StreamDelay(1.9);
+    int late = 0;
+    for (double t = 0.0; t < 10.0; t += 1.0) {
+      aheadS = 0.0;
+      assertThat(isLate(t, t + 0.1)).isFalse();
+      aheadS = -60.0;
+      late += isLate(t + 0.5, t + 0.6) ? 1 : 0;
+    }
+    assertThat(late).isEqualTo(2);
+
+    assertThat(isLate(10.5, 10.6)).isFalse();
+    steady(11.5, 20.0);
+  }
+
+  @Test
+  void isLate_burstsOfEqualAge_stayLate() {
+    delay = new StreamDelay(1.9);
+    for (double t = 0.0; t < 60.0; t += 10.0) {
+      steady(t, t + 3.0);
+      assertThat(isLate(t - 4.0, t + 4.0)).isTrue();
+      assertThat(isLate(t - 4.0, t + 4.1)).isTrue();
+    }
+  }
+
+  /** Copies of sticks by another way must not steer. */
+  @Test
+  void isLate_steadyLateMessagesOfADriver_areNotAcceptedBesideThoseInTime() {
+    for (double t = 0.0; t < 60.0; t += 1.0) {
+      assertThat(isLate(t, t + 0.1)).isFalse();
+      assertThat(isLate(t - 8.0, t + 0.6)).isTrue();
+    }
+  }
+
   @ParameterizedTest
   @ValueSource(doubles = {100.0, 10.0, 2.0})
   void isLate_backlogThatDrains_staysLate(double timesFaster) {

@@ -151,9 +151,9 @@ public final class EmergencyStopCommand extends BaseCommand {
     StopConfirmation vehicle = StopConfirmation.listen(link, link.systemId(), waiter);
     link.await(() -> false, Math.min(LISTEN_S, link.timeoutS()));
     Set<String> standing = vehicle.standing();
-    long said = link.clock().micros();
-    message.active(false).clears(Math.max(said, vehicle.newestMicros()));
-    if (!standing.isEmpty()) {
+    message.active(false);
+    if (!standing.isEmpty()) { // otherwise a time would clear a stop that is given just now
+      message.clears(Math.max(link.clock().micros(), vehicle.newestMicros()));
       message.lifts(List.copyOf(standing));
     }
     link.publish(Channels.EMERGENCY_STOP, message);

@@ -13,6 +13,8 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
+import org.u2sa.service.handover.HandOver;
+import org.u2sa.service.inbox.AnsweredOrders;
 
 /**
  * Starts, restarts and swaps the services of its process on order (thesis 3.5.3, user story 8). In:
@@ -24,7 +26,7 @@ import org.u2sa.service.ServiceRole;
  * process that is {@link HostedServices}.
  *
  * <p>A result is published when the order has been carried out. Orders for services of other hosts
- * are left to their launchers.
+ * are left to their launchers. A repeated order is answered again but not executed again.
  */
 public final class Launcher extends EventDrivenService {
   /** Name of a system's only launcher, and prefix of the names of several. */
@@ -32,9 +34,11 @@ public final class Launcher extends EventDrivenService {
 
   private static final double BETWEEN_S = 1.0; // two orders of one kind for one service
   private static final long NEVER = Long.MIN_VALUE / 2;
+  private static final String ANSWERED = "ANSWERED ORDERS";
 
   private final ServiceHost host;
   private final Map<String, Long> doneMicros = new HashMap<>(); // by kind of order
+  private final AnsweredOrders<ServiceOrderResult> answered = new AnsweredOrders<>();
 
   /**
    * Created by the process that hosts the services.
@@ -51,6 +55,11 @@ public final class Launcher extends EventDrivenService {
 
   private void onOrder(U2SAData message) { // results come back on the same channel
     if (message instanceof ServiceOrder order && host.isFor(order)) {
+      Optional<ServiceOrderResult> before = answered.to(order.requestId(), order);
+      if (before.isPresent()) {
+        publish(Channels.SERVICE_ORDERS, before.get());
+        return;
+      }
       Optional<String> refusal = outcomeOf(order);
       if (refusal.isEmpty()) {
         doneMicros.put(kindOf(order), clock().micros());
@@ -110,12 +119,24 @@ public final class Launcher extends EventDrivenService {
     refusal.ifPresentOrElse(
         reason -> log(LogLevelEnum.ERROR, what + " not carried out: " + reason),
         () -> log(what + " done"));
-    publish(
-        Channels.SERVICE_ORDERS,
+    ServiceOrderResult result =
         new ServiceOrderResult()
             .requestId(order.requestId())
             .serviceName(order.serviceName())
             .accepted(refusal.isEmpty())
-            .reason(refusal.orElse("")));
+            .reason(refusal.orElse(""));
+    answered.remember(order.requestId(), order, result);
+    remember(); // for a launcher whose process is restarted
+    publish(Channels.SERVICE_ORDERS, result);
+  }
+
+  @Override
+  protected void handOver(HandOver state) {
+    answered.handOver(state, ANSWERED);
+  }
+
+  @Override
+  protected void takeOver(HandOver state) {
+    answered.takeOver(state, ANSWERED, ServiceOrderResult.class);
   }
 }

@@ -46,7 +46,14 @@ public final class SafetyManager extends PeriodicService {
   private static final String REPEATED = "this order was answered before: give it under another ID";
   private static final double CHECKS_PER_S = 10.0;
   private static final double SLOWEST_HZ = 1.0; // otherwise failsafes would come too late
-  private static final double STEADY_AFTER_S = 3.0; // an operator's clock was set; below deadlines
+
+  /**
+   * After three regular heartbeats, one a second, an operator's clock was set, or a second program
+   * has another clock [s]: with the gap before them and one after, less than OPERATOR DEADLINE, 5
+   * s.
+   */
+  private static final double STEADY_AFTER_S = 1.9;
+
   private static final double REPEAT_INTERVAL_S = 1.0; // interval for unchanged states
 
   private final Settings<SafetyVariables> settings = settings(SafetyVariables.class);
@@ -332,6 +339,7 @@ public final class SafetyManager extends PeriodicService {
     if (!message.active() && emergency.isStopped()) {
       // The clear is retained: late subscribers must not conclude that the remaining stops ended.
       publish(Channels.EMERGENCY_STOP, emergency.stop().orElseThrow());
+      giveAgain(emergency.spared());
     }
     if (!changed) {
       return;
@@ -347,19 +355,20 @@ public final class SafetyManager extends PeriodicService {
     publish(arming.state(clock().micros()));
   }
 
-  /** The clear has lifted the stop elsewhere; with another timestamp it counts as a new one. */
   private void stopAgain(EmergencyStop clear, String why) {
     log(
         LogLevelEnum.WARN,
         "emergency stop not cleared by \"" + clear.operator() + "\", because " + why);
-    for (EmergencyStop stop : emergency.stops()) {
-      EmergencyStop again = (EmergencyStop) stop.copy();
-      again.timestamp(clock().micros());
-      emergency.accept(again);
-      publish(Channels.EMERGENCY_STOP, again);
+    giveAgain(emergency.stops());
+    save();
+  }
+
+  /** For services that a clear has freed: with another timestamp a stop counts as a new one. */
+  private void giveAgain(List<EmergencyStop> stops) {
+    for (EmergencyStop stop : stops) {
+      publish(Channels.EMERGENCY_STOP, emergency.renew(stop));
     }
     heedsEmergencyStops(emergency.identities());
-    save();
   }
 
   @Override

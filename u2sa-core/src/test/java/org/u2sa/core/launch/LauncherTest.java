@@ -97,22 +97,25 @@ class LauncherTest {
   void start() throws IOException, InterruptedException {
     write("Manager.xml", "<variable name=\"BROKER\" type=\"string\" value=\"none\"/>");
     write("Worker.xml", "");
-    SystemFile file =
-        SystemFile.read(
-            Files.writeString(
-                directory.resolve("system.xml"),
-                "<system id=\"test\"><communication configuration=\"Manager.xml\"/>"
-                    + "<service class=\""
-                    + Worker.class.getName()
-                    + "\" configuration=\"Worker.xml\"/>"
-                    + "<service class=\""
-                    + Bystander.class.getName()
-                    + "\"/></system>"));
+    Files.writeString(
+        directory.resolve("system.xml"),
+        "<system id=\"test\"><communication configuration=\"Manager.xml\"/>"
+            + "<service class=\""
+            + Worker.class.getName()
+            + "\" configuration=\"Worker.xml\"/>"
+            + "<service class=\""
+            + Bystander.class.getName()
+            + "\"/></system>");
+    begin(false);
+  }
+
+  private void begin(boolean isRestart) throws InterruptedException {
     system =
         RunningSystem.start(
-            file,
+            SystemFile.read(directory.resolve("system.xml")),
             new LaunchOptions()
                 .clock(clock)
+                .restart(isRestart)
                 .logDirectory(directory.resolve("logs"))
                 .making(Bystander.class, this::bystander));
     operator = new Operator(system.contextFor(XmlConfiguration.inMemory("test", Map.of())));
@@ -176,6 +179,50 @@ class LauncherTest {
 
     clock.advance(1_000_000);
     assertThat(order("Worker", ServiceAction.RESTART).accepted()).isTrue();
+  }
+
+  /** As a broker may deliver it (QoS 1), the second time after another order. */
+  @Test
+  void restart_orderThatArrivesTwice_isDoneOnceAndAnsweredAgain() throws Exception {
+    ServiceOrder order = restartOfWorker();
+    deliver(order);
+    U2SAService restarted = system.services().get(0);
+
+    clock.advance(2_000_000);
+    deliver(order);
+    assertThat(system.services().get(0)).isSameAs(restarted);
+    assertThat(operator.results).hasSize(2);
+    assertThat(operator.results).extracting(ServiceOrderResult::accepted).containsOnly(true);
+
+    deliver(restartOfWorker());
+    assertThat(system.services().get(0)).as("given again").isNotSameAs(restarted);
+  }
+
+  @Test
+  void restart_orderThatArrivesAgainAtARestartedLauncher_isNotDoneAgain() throws Exception {
+    ServiceOrder order = restartOfWorker();
+    deliver(order);
+    operator.kill();
+    system.close();
+    begin(true);
+    U2SAService present = system.services().get(0);
+
+    deliver(order);
+
+    assertThat(system.services().get(0)).isSameAs(present);
+    assertThat(operator.results).extracting(ServiceOrderResult::accepted).containsExactly(true);
+  }
+
+  private ServiceOrder restartOfWorker() {
+    ServiceOrder order =
+        new ServiceOrder().requestId("1").serviceName("Worker").action(ServiceAction.RESTART);
+    order.timestamp(clock.micros());
+    return order;
+  }
+
+  private void deliver(ServiceOrder order) throws InterruptedException {
+    operator.publish(Channels.SERVICE_ORDERS, order);
+    clock.advance(0);
   }
 
   @Test

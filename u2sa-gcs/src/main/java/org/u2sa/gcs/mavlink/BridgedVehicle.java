@@ -9,6 +9,7 @@ import org.u2sa.gcs.mavlink.file.RecordingFolder;
 import org.u2sa.gcs.mavlink.plan.FenceBook;
 import org.u2sa.gcs.mavlink.plan.MissionProgressMessages;
 import org.u2sa.gcs.mavlink.plan.PlanBook;
+import org.u2sa.gcs.mavlink.telemetry.FollowedRoute;
 import org.u2sa.gcs.mavlink.telemetry.Placement;
 import org.u2sa.gcs.mavlink.telemetry.Telemetry;
 import org.u2sa.gcs.mavlink.telemetry.Uptime;
@@ -23,6 +24,7 @@ final class BridgedVehicle {
   final OrdersUnderWay orders;
   final VehicleStatus model;
   final VehicleSurroundings surroundings;
+  final FollowedRoute route;
   final Identity identity;
   final String systemId;
   final int mavlinkId;
@@ -62,6 +64,8 @@ final class BridgedVehicle {
     progress = new MissionProgressMessages(model, book);
     telemetry = new Telemetry(model, identity, placement, uptime);
     telemetry.add(surroundings, placement, uptime);
+    route = new FollowedRoute(model, clock);
+    telemetry.add(model, route, placement);
     events = new VehicleEvents(model, uptime);
     telemetry.add(Telemetry.CURRENT_EVENT_SEQUENCE, 1.0, events::sequence);
     telemetry.add(Telemetry.MISSION_CURRENT, 1.0, progress::current);

@@ -12,6 +12,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.u2sa.gcs.mavlink.event.VehicleEvents;
 import org.u2sa.gcs.mavlink.file.RecordingFolder;
+import org.u2sa.gcs.mavlink.telemetry.FollowedRoute;
 import org.u2sa.gcs.mavlink.vehicle.OrdersUnderWay;
 import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 import org.u2sa.gcs.mavlink.vehicle.VehicleSurroundings;
@@ -74,6 +75,8 @@ public final class MavlinkBridge implements AutoCloseable {
     }
     VehicleStatus.CHANNELS.forEach(
         channel -> link.listen(channel, message -> vehicle.model.take((U2SAData) message)));
+    FollowedRoute.CHANNELS.forEach(
+        channel -> link.listen(channel, message -> vehicle.route.take((U2SAData) message)));
     VehicleSurroundings.CHANNELS.forEach(
         channel -> link.listen(channel, message -> vehicle.surroundings.take((U2SAData) message)));
     VehicleEvents.CHANNELS.forEach(

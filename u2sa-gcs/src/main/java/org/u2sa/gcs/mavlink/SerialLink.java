@@ -14,6 +14,7 @@ final class SerialLink implements StationLink {
   private static final double BURST_S = 0.05;
   private static final double ROOM_S = 0.1;
   private static final int LARGEST_PACKET = 293; // MAVLink 2, signed
+  private static final double PAUSE_S = 0.1; // of adapters and radios within a packet
 
   private final SerialLine line;
   private final StationSession session;
@@ -26,6 +27,7 @@ final class SerialLink implements StationLink {
     this.line = line;
     this.session = session;
     bytesPerS = (double) baud / BITS_PER_BYTE;
+    session.overdueAfter((long) ((PAUSE_S + LARGEST_PACKET / bytesPerS) * MICROS_PER_S));
     session.room(Math.max(LARGEST_PACKET, (int) (bytesPerS * ROOM_S)));
   }
 

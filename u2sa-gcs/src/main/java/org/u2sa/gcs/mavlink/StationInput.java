@@ -11,7 +11,7 @@ import org.u2sa.mavlink.MavlinkStream;
  */
 final class StationInput {
   private static final int SLICE = 64; // few enough bytes to overdraw the allowance by 0.3 s only
-  private static final long OVERDUE_MICROS = 500_000;
+  private static final long USUAL_OVERDUE_MICROS = 500_000;
 
   private final MavlinkStream stream;
   private final Predicate<MavlinkStream.Received> receiver;
@@ -20,6 +20,7 @@ final class StationInput {
   private final StopSearch stops = new StopSearch();
   private long consumed;
   private long consumedMicros = Long.MIN_VALUE;
+  private long overdueMicros = USUAL_OVERDUE_MICROS;
 
   /**
    * @param receiver handles a message; false if it was for others
@@ -27,6 +28,11 @@ final class StationInput {
   StationInput(MavlinkStream stream, Predicate<MavlinkStream.Received> receiver) {
     this.stream = stream;
     this.receiver = receiver;
+  }
+
+  /** Sets how long the rest of a packet may take to arrive [µs]. */
+  void overdueAfter(long micros) {
+    overdueMicros = micros;
   }
 
   /** Whether messages are handled at present. */
@@ -76,10 +82,11 @@ final class StationInput {
       byte[] partial = stops.reset(); // its rest may come now
       parse(partial, partial.length, allowance);
     }
-    if (stream.consumed() != consumed || consumedMicros == Long.MIN_VALUE) {
+    boolean isNew = consumedMicros == Long.MIN_VALUE || !stream.isPartial();
+    if (isNew || stream.consumed() != consumed) {
       consumed = stream.consumed();
       consumedMicros = micros;
-    } else if (micros - consumedMicros > OVERDUE_MICROS) {
+    } else if (micros - consumedMicros > overdueMicros) {
       stream.resynchronize(received -> count(received, allowance));
     }
   }

@@ -93,6 +93,11 @@ final class StationSession implements GroundStation {
     return isHeard;
   }
 
+  /** Sets how long the rest of a packet may take to arrive [µs]. */
+  void overdueAfter(long micros) {
+    input.overdueAfter(micros);
+  }
+
   /** Handles received bytes. */
   void receive(byte[] bytes, int length, long micros) {
     mission.step(micros);

@@ -103,6 +103,7 @@ final class BridgeKit {
   void says(U2SAData message) {
     message.freeze();
     vehicle.model.take(message);
+    vehicle.route.take(message);
     vehicle.events.take(message);
   }
 

@@ -227,6 +227,22 @@ class StationSerialTest {
     assertThat(kit.orders(EmergencyStop.class)).hasSize(1);
   }
 
+  /** Faster than the usual half second, because a sender's bytes follow each other on a line. */
+  @ParameterizedTest
+  @CsvSource({"9600, 0.42", "57600, 0.17", "921600, 0.12"})
+  void exchange_stopBehindAFalseStart_waitsForTheTimeOfAPacket(int baud, double seconds)
+      throws IOException {
+    SerialLink fast = new SerialLink(cable, baud, kit.session);
+    pass(2.0);
+    send(new byte[] {(byte) 0xFD, (byte) 0xFF, 0}, station.encode(STOP));
+    for (int turn = 0; turn < seconds * 1.0e6 / TURN_MICROS; turn++) {
+      long now = kit.clock.addAndGet(TURN_MICROS);
+      fast.exchange(now);
+      kit.session.step(now);
+    }
+    assertThat(kit.orders(EmergencyStop.class)).hasSize(1);
+  }
+
   @Test
   void exchange_unpluggedForAMinute_sendsNothingOldWhenItIsBack() throws IOException {
     cable.isPlugged = false;

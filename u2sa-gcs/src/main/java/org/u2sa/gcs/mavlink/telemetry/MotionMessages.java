@@ -150,10 +150,7 @@ final class MotionMessages {
             state -> {
               Optional<Point> velocity = placement.velocity();
               double ground = velocity.map(MotionMessages::speed).orElse(0.0);
-              double air =
-                  state instanceof AircraftState aircraft
-                      ? aircraft.calibratedAirspeed().orElse(ground)
-                      : state.fluidxDot().orElse(ground);
+              double air = fluidSpeed(state, velocity).orElse(0.0);
               return VfrHud.builder()
                   .airspeed((float) air)
                   .groundspeed((float) ground)
@@ -169,6 +166,15 @@ final class MotionMessages {
                   .climb((float) -velocity.map(Point::z).orElse(0.0).doubleValue())
                   .build();
             });
+  }
+
+  /** Calibrated airspeed, or speed through the water, or else over ground [m/s]. */
+  static OptionalDouble fluidSpeed(StateInformation state, Optional<Point> velocity) {
+    OptionalDouble through =
+        state instanceof AircraftState aircraft ? aircraft.calibratedAirspeed() : state.fluidxDot();
+    return through.isPresent() || velocity.isEmpty()
+        ? through
+        : OptionalDouble.of(speed(velocity.get()));
   }
 
   private static Optional<Double> altitude(StateInformation global) {

@@ -33,14 +33,7 @@ public final class Placement {
    * altitude of the home is not known: it is the mission's, or else that of the first position.
    */
   public Optional<Geodetic> home() {
-    Optional<Geodetic> first =
-        vehicle
-            .first()
-            .flatMap(Placement::global)
-            .map(
-                state ->
-                    new Geodetic(
-                        state.x().getAsDouble(), state.y().getAsDouble(), state.z().orElse(0.0)));
+    Optional<Geodetic> first = vehicle.first().flatMap((StateInformation state) -> place(state));
     Optional<Geodetic> home = vehicle.home().flatMap(Placement::place);
     OptionalDouble altitudeM = vehicle.homeAltitudeM();
     if (altitudeM.isEmpty() && first.isPresent()) {
@@ -51,6 +44,15 @@ public final class Placement {
         ? home.filter(place -> !Double.isNaN(groundM))
             .map(place -> new Geodetic(place.longitudeDeg(), place.latitudeDeg(), groundM))
         : first;
+  }
+
+  /** Place of a state; empty if it is not on the earth, or has no horizontal position. */
+  static Optional<Geodetic> place(StateInformation state) {
+    return global(state)
+        .map(
+            global ->
+                new Geodetic(
+                    global.x().getAsDouble(), global.y().getAsDouble(), global.z().orElse(0.0)));
   }
 
   /** Place of a waypoint; empty if it is not on the earth, or has no horizontal position. */

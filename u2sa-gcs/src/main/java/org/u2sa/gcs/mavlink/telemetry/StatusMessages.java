@@ -5,7 +5,6 @@ import io.dronefleet.mavlink.common.HomePosition;
 import io.dronefleet.mavlink.common.MavLandedState;
 import io.dronefleet.mavlink.common.MavSysStatusSensor;
 import io.dronefleet.mavlink.common.MavVtolState;
-import io.dronefleet.mavlink.common.NavControllerOutput;
 import io.dronefleet.mavlink.common.SysStatus;
 import io.dronefleet.mavlink.common.SystemTime;
 import io.dronefleet.mavlink.minimal.Heartbeat;
@@ -24,19 +23,14 @@ import org.u2sa.mavlink.AvailableModesMonitor;
 import org.u2sa.mavlink.CurrentMode;
 import org.u2sa.messages.AircraftState;
 import org.u2sa.messages.BatteryState;
-import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.frame.Geodetic;
-import org.u2sa.messages.goal.GoalInformation;
-import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FenceState;
 
-/** Messages about modes, readiness, battery, home and the way to the goal. */
+/** Messages about modes, readiness, battery and home. */
 final class StatusMessages {
   private static final int MAVLINK_VERSION = 3;
   private static final double E7 = 1.0e7;
   private static final double MILLI = 1000.0;
-  private static final int UNKNOWN_16 = 0xFFFF;
   private static final int NOT_SELECTABLE = 2; // MAV_MODE_PROPERTY_NOT_USER_SELECTABLE
 
   private final VehicleStatus vehicle;
@@ -221,34 +215,5 @@ final class StatusMessages {
                     .approachZ(Float.NaN)
                     .timeUsec(BigInteger.valueOf(uptime.micros()))
                     .build());
-  }
-
-  Optional<Object> navigation() {
-    Optional<StateInformation> here = placement.global();
-    Optional<GoalInformation> goal =
-        vehicle.goals().flatMap(list -> list.goals().stream().findFirst());
-    if (here.isEmpty() || goal.isEmpty() || !(goal.get() instanceof Waypoint waypoint)) {
-      return Optional.empty();
-    }
-    Geodetic from =
-        new Geodetic(
-            here.get().x().getAsDouble(), here.get().y().getAsDouble(), here.get().z().orElse(0.0));
-    return Placement.place(waypoint)
-        .map(
-            there -> {
-              int bearingDeg = (int) Math.round(Math.toDegrees(from.bearingRad(there)));
-              double altitudeError =
-                  waypoint.z().isPresent()
-                      ? waypoint.z().getAsDouble() - here.get().z().orElse(0.0)
-                      : 0.0;
-              return NavControllerOutput.builder()
-                  .navRoll((float) Math.toDegrees(here.get().phi().orElse(0.0)))
-                  .navPitch((float) Math.toDegrees(here.get().theta().orElse(0.0)))
-                  .navBearing(bearingDeg)
-                  .targetBearing(bearingDeg)
-                  .wpDist((int) Math.min(UNKNOWN_16, Math.round(from.distanceM(there))))
-                  .altError((float) altitudeError)
-                  .build();
-            });
   }
 }

@@ -53,7 +53,6 @@ public final class Telemetry {
     add(31, 0.0, motion::quaternion);
     add(32, 4.0, motion::localPosition);
     add(33, 5.0, motion::globalPosition);
-    add(62, 2.0, status::navigation);
     add(147, 1.0, () -> BatteryMessages.status(vehicle.battery()));
     add(230, 1.0, motion::estimator);
     add(HOME_POSITION, 0.5, status::home);
@@ -71,6 +70,11 @@ public final class Telemetry {
     add(231, 1.0, seen::wind);
     add(246, 5.0, seen::traffic);
     add(330, 4.0, seen::obstacles);
+  }
+
+  /** Adds the message about the way to the goal. */
+  public void add(VehicleStatus vehicle, FollowedRoute route, Placement placement) {
+    add(62, 2.0, new NavigationMessages(vehicle, route, placement)::navigation);
   }
 
   /** Adds a message. */
