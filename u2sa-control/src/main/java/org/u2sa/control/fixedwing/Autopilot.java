@@ -1,6 +1,7 @@
 package org.u2sa.control.fixedwing;
 
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.u2sa.control.Transfer;
 
 /**
@@ -187,6 +188,19 @@ public final class Autopilot {
   /** Reason for the go-around. */
   String refusalWords() {
     return refusal.words();
+  }
+
+  /** Calibrated airspeed to which the wind has raised the demand [m/s]; empty if it has not. */
+  OptionalDouble raisedToMps() {
+    boolean follows = phase == FlightPhase.CRUISE || phase == FlightPhase.GO_AROUND;
+    return follows && air.raisedToMps() > 0.0
+        ? OptionalDouble.of(air.raisedToMps())
+        : OptionalDouble.empty();
+  }
+
+  /** Wind speed, gusts averaged [m/s]. */
+  double windMps() {
+    return wind.speedMps();
   }
 
   FlightPhase phase() {

@@ -26,6 +26,7 @@ package org.u2sa.control.fixedwing;
  * @param onGround whether a main wheel carries load
  * @param engineRpm [1/min]
  * @param engineStarting whether the engine is being primed: throttle stays between 0.1 and 0.5
+ * @param overGroundKnown whether the velocity over ground is of this time; otherwise the last one
  */
 record FlightState(
     double timeS,
@@ -48,7 +49,8 @@ record FlightState(
     double betaRad,
     boolean onGround,
     double engineRpm,
-    boolean engineStarting) {
+    boolean engineStarting,
+    boolean overGroundKnown) {
 
   /** Speed over ground [m/s]. */
   double groundSpeedMps() {

@@ -170,6 +170,7 @@ final class SimulatedFlight {
         s.sideslipRad(),
         s.weightOnWheels(),
         s.engineRpm(),
-        false);
+        false,
+        true);
   }
 }
