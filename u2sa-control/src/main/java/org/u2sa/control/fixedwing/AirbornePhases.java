@@ -197,6 +197,11 @@ final class AirbornePhases {
     return speedDemandMps;
   }
 
+  /** Sink rate demanded at the last step [m/s]; negative for a climb. */
+  double wantedSinkMps() {
+    return -energy.climbDemandMps();
+  }
+
   /** Calibrated airspeed to which the wind has raised the demand [m/s]; 0 if it has not. */
   double raisedToMps() {
     return raisedToMps;

@@ -193,6 +193,7 @@ final class FlightStateReader {
                 : aircraft.weightOnWheels(),
             aircraft == null ? (fromStart ? ELECTRIC_RPM : 0.0) : aircraft.engineRpm().orElse(0.0),
             aircraft != null && aircraft.engineStarting(),
+            aircraft != null,
             state.xDot().isPresent() && state.yDot().isPresent()));
   }
 

@@ -171,6 +171,7 @@ final class SimulatedFlight {
         s.weightOnWheels(),
         s.engineRpm(),
         false,
+        true,
         true);
   }
 }

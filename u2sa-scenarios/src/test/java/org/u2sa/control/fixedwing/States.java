@@ -23,6 +23,7 @@ final class States {
   private boolean onGround;
   private double engineRpm = 2300.0;
   private boolean engineStarting;
+  private boolean wheelsSensed = true;
   private boolean overGroundKnown = true;
 
   /** 43 m/s towards east, 300 m up. */
@@ -126,6 +127,11 @@ final class States {
     return this;
   }
 
+  States wheelsSensed(boolean value) {
+    wheelsSensed = value;
+    return this;
+  }
+
   States overGroundKnown(boolean value) {
     overGroundKnown = value;
     return this;
@@ -154,6 +160,7 @@ final class States {
         onGround,
         engineRpm,
         engineStarting,
+        wheelsSensed,
         overGroundKnown);
   }
 }
