@@ -14,11 +14,12 @@ import org.u2sa.planning.guidance.Vehicle;
 
 /**
  * {@link Landing}: descends along a straight approach or vertically; completed when the vehicle has
- * been at rest for a while, abandoned when it lies on its side or stands far from the position,
- * also above it.
+ * been at rest for a while, abandoned when it lies on its side, also on the way there, or stands
+ * far from the position, also above it.
  */
 final class LandingState implements PlannerState {
   private static final double STILL_MPS = 0.25;
+  private static final double LIES_MPS = 1.0; // on its side, horizontally: errors of a lost IMU
   private static final double STANDS_S = 2.0;
   private static final double STANDS_HIGH_S = 10.0; // on ground that should be lower
   private static final double ON_SIDE_RAD = Math.toRadians(60.0); // from upright
@@ -105,9 +106,15 @@ final class LandingState implements PlannerState {
     fellMps = isLow && descent().isFinal() ? Math.max(fellMps, vehicle.downMps()) : 0.0;
     // A vehicle that waits above something does not sink either.
     boolean waits = descent() == vertical && detour.isHeldUp() && tiltRad <= ON_SIDE_RAD;
-    boolean mayStand = descent().isFinal() && !waits;
-    touches = mayStand && downM < TOUCHES_M;
-    if (!mayStand || Math.hypot(vehicle.speedMps(), climbMps) > STILL_MPS) {
+    boolean isLanding = descent().isFinal() && !waits;
+    // One that has crashed lies wherever it is, and its state may err by more than usual.
+    boolean lies = !fallen(pursuit.state()).isEmpty() && !waits;
+    touches = isLanding && downM < TOUCHES_M;
+    boolean isStill =
+        lies
+            ? vehicle.speedMps() <= LIES_MPS && Math.abs(climbMps) <= STILL_MPS
+            : isLanding && Math.hypot(vehicle.speedMps(), climbMps) <= STILL_MPS;
+    if (!isStill) {
       sinceMicros = Long.MIN_VALUE;
       return plan;
     }
@@ -117,11 +124,11 @@ final class LandingState implements PlannerState {
       sinceDownM = downM;
     }
     double stillS = Clock.seconds(now - sinceMicros);
-    touches |= stillS > TOUCHES_S;
-    if (stillS < (isLow ? STANDS_S : STANDS_HIGH_S)) {
+    touches |= isLanding && stillS > TOUCHES_S;
+    if (stillS < (isLow && isLanding ? STANDS_S : STANDS_HIGH_S)) {
       return plan;
     }
-    if (sinceDownM - downM > SINKS_SHARE * settings.get().touchDownSink() * stillS) {
+    if (!lies && sinceDownM - downM > SINKS_SHARE * settings.get().touchDownSink() * stillS) {
       sinceMicros = Long.MIN_VALUE; // it still sinks, slowly
       return plan;
     }
@@ -140,11 +147,16 @@ final class LandingState implements PlannerState {
 
   /** Why the vehicle may be damaged although it is at rest; empty if nothing says so. */
   private String damage(StateInformation state) {
+    return tiltRad(state) <= ON_SIDE_RAD && descent() == vertical && fellMps > HARD_MPS
+        ? String.format(Locale.ROOT, "hit the ground at %.0f m/s", fellMps)
+        : fallen(state);
+  }
+
+  /** Whether the vehicle may lie on its side, in words; empty if it does not. */
+  private static String fallen(StateInformation state) {
     double sigmaRad = Math.max(state.phiSigma().orElse(0.0), state.thetaSigma().orElse(0.0));
     if (tiltRad(state) > ON_SIDE_RAD) {
       return "has tipped over";
-    } else if (descent() == vertical && fellMps > HARD_MPS) {
-      return String.format(Locale.ROOT, "hit the ground at %.0f m/s", fellMps);
     }
     return tiltRad(state) + SIGMAS * sigmaRad > ON_SIDE_RAD
         ? "may have tipped over, roll and pitch are unknown"

@@ -27,6 +27,7 @@ import org.u2sa.planning.avoidance.Avoidance;
 import org.u2sa.planning.avoidance.AvoidanceVariables;
 import org.u2sa.planning.avoidance.KnownGround;
 import org.u2sa.planning.guidance.ChosenGuidance;
+import org.u2sa.planning.guidance.HeadwayWatch;
 import org.u2sa.planning.guidance.LineSettings;
 import org.u2sa.planning.guidance.LineSettings.AltitudeProfile;
 import org.u2sa.planning.guidance.Place;
@@ -65,6 +66,8 @@ public class PathPlanner extends EventDrivenService {
   private final RightOfWayWatch rightOfWay;
   private final BlindStand blind;
   private final HoverPlace hover;
+  private final HeadwayWatch headway = new HeadwayWatch(this::tell, this::remark);
+  private final Settings<FlightVariables> flight;
   private final GoalReports reports;
   private final MissionTime time = new MissionTime();
   private final ViewPoints view = new ViewPoints(settings(ViewPoints.Variables.class));
@@ -112,7 +115,7 @@ public class PathPlanner extends EventDrivenService {
             report -> publish(Channels.GOAL_REPORTS, report),
             () -> settings.get().reportIntervalMicros());
     Detour detour = new Detour(avoidance);
-    Settings<FlightVariables> flight = settings(FlightVariables.class);
+    flight = settings(FlightVariables.class);
     StationCircle circle =
         new StationCircle(detour, this::lines, () -> settings.get().loiterRadius(), flight);
     PayloadReleases releases = new PayloadReleases();
@@ -400,13 +403,14 @@ public class PathPlanner extends EventDrivenService {
 
   /** The points at which it holds, or those that evade traffic. */
   private List<NavigationPoint> hovering(List<NavigationPoint> held, StateInformation state) {
-    if (mayEvade()) {
+    if (isFlown()) {
       Vehicle vehicle = Vehicle.of(state).orElseThrow();
       own(held).ifPresent(point -> avoidance.hover(vehicle, state, point));
     }
-    List<NavigationPoint> points = held.isEmpty() && mayEvade() ? hover.points(state) : held;
+    List<NavigationPoint> points = held.isEmpty() && isFlown() ? hover.points(state) : held;
     KnownGround below = new KnownGround(ground.stoodAt(), false, false);
     guard("", points, below, state); // it waits at its altitude
+    withoutHeadway(points, state);
     return points;
   }
 
@@ -478,6 +482,7 @@ public class PathPlanner extends EventDrivenService {
       states.substitution(chosen).ifPresent(this::trouble);
       judgeThreshold(chosen, state);
       planner.get().enter(pursuit);
+      headway.begin();
       reports.forget();
     }
     goal = Optional.of(chosen);
@@ -489,7 +494,8 @@ public class PathPlanner extends EventDrivenService {
                     ground.rise(chosen, vehicle).or(() -> climb(Optional.of(chosen), vehicle)))
             .map(up -> Plan.underWay(List.of(up)))
             .orElseGet(() -> aside(planner.get().plan(pursuit), chosen, state));
-    Plan plan = guarded(next, chosen, planner.get().touchesDown(), state);
+    Plan safe = guarded(next, chosen, planner.get().touchesDown(), state);
+    Plan plan = advancing(safe, chosen, state);
     ground.lead(chosen, plan, planner.get().touchesDown(), clock().micros());
     if (!plan.remark().isEmpty()) {
       LogLevelEnum level =
@@ -521,6 +527,29 @@ public class PathPlanner extends EventDrivenService {
     return goesOn && why.isPresent() ? Plan.unless(why, next.points()) : next;
   }
 
+  /** The step, unless the aeroplane makes no headway, as in a wind that is faster. */
+  private Plan advancing(Plan next, GoalInformation to, StateInformation state) {
+    if (to instanceof TakeOff) {
+      headway.leave();
+      return next;
+    }
+    Optional<String> why = withoutHeadway(next.points(), state);
+    boolean goesOn = next.progress() == Plan.Progress.UNDER_WAY;
+    return goesOn && why.isPresent() && !goals.get().returning()
+        ? Plan.unless(why, next.points())
+        : next;
+  }
+
+  private Optional<String> withoutHeadway(List<NavigationPoint> points, StateInformation state) {
+    Optional<NavigationPoint> point = own(points);
+    if (point.isEmpty() || !isAeroplane() || !isFlown()) {
+      headway.leave();
+      return Optional.empty();
+    }
+    Vehicle vehicle = Vehicle.of(state).orElseThrow();
+    return headway.step(vehicle, state, point.get().point(), flight.get().headwayTime());
+  }
+
   /**
    * The step, or an evasion of traffic unless it leads straight up or down from or to the ground.
    */
@@ -540,7 +569,7 @@ public class PathPlanner extends EventDrivenService {
   }
 
   private void evade(Plan next, Optional<Place> end, StateInformation state) {
-    if (mayEvade()) {
+    if (isFlown()) {
       Vehicle vehicle = Vehicle.of(state).orElseThrow();
       own(next.points()).ifPresent(point -> avoidance.evade(vehicle, state, point, end));
     }
@@ -554,7 +583,7 @@ public class PathPlanner extends EventDrivenService {
     return point.subsystem().equals("VEHICLE");
   }
 
-  private boolean mayEvade() {
+  private boolean isFlown() {
     return ground.flies() && !byHand;
   }
 
@@ -597,6 +626,10 @@ public class PathPlanner extends EventDrivenService {
       point.timestamp(state.timestamp().orElseThrow());
       publish(Channels.NAVIGATION, point);
     }
+  }
+
+  private void tell(String what) {
+    trouble(goal.map(pursued -> named(pursued) + ": ").orElse("") + what);
   }
 
   private void say(String what, boolean isTrouble) {

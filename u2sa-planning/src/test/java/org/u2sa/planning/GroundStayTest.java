@@ -26,7 +26,7 @@ class GroundStayTest {
 
   private boolean isAeroplane = true;
   private final GroundStay watch =
-      new GroundStay(() -> new FlightVariables(3, 600, 5, 15, 40, 0.5, 0.1), () -> isAeroplane);
+      new GroundStay(() -> new FlightVariables(3, 600, 5, 15, 40, 60, 0.5, 0.1), () -> isAeroplane);
 
   private static Waypoint waypoint() {
     return new Waypoint().uid("a").referenceFrame(ReferenceFrame.LOCAL_NED).x(0.0).y(0.0);

@@ -32,6 +32,30 @@ class HardLandingTest extends VerticalFlight {
     }
   }
 
+  /** As after a crash on the way to the landing, whose altitude nobody knows. */
+  @ParameterizedTest
+  @CsvSource({"0.1, false", "1.0, true"})
+  void landing_crashesOnTheWay_isGivenUpUnlessItMustBeUpright(double sigmaRad, boolean isOver) {
+    start(20.0);
+    tiltSigmaRad = sigmaRad;
+    Landing far = landing();
+    far.x(8.0);
+    begin(far);
+    double beganS = kit.nowS();
+    while (kit.nowS() < beganS + 15.0 && kit.latest(Channels.GOAL_REPORTS).isEmpty()) {
+      step(20.0);
+    }
+
+    assertThat(kit.latest(Channels.GOAL_REPORTS).isPresent()).isEqualTo(isOver);
+    if (isOver) {
+      GoalInformation report = kit.latest(Channels.GOAL_REPORTS).orElseThrow();
+      assertThat(report.abandoned()).isTrue();
+      assertThat(report.reason().orElseThrow())
+          .isEqualTo("given up: may have tipped over, roll and pitch are unknown");
+      assertThat(kit.nowS() - beganS).isGreaterThan(10.0);
+    }
+  }
+
   @Test
   void landing_fallsOntoThePlace_isNotReportedAsCompleted() {
     start(20.0);

@@ -21,6 +21,7 @@ final class AirbornePhases {
   private double holdAltitudeM;
   private double altitudeDemandM;
   private double speedDemandMps; // calibrated
+  private double raisedToMps; // against the wind; 0 if not raised
 
   AirbornePhases(
       AutopilotVariables tuning, GroundSteering steering, InnerLoops loops, WindEstimate wind) {
@@ -72,16 +73,18 @@ final class AirbornePhases {
    * @param circles whether to circle without navigation
    */
   Surfaces fly(FlightState state, Optional<GuidanceTarget> target, boolean circles, double dtS) {
+    raisedToMps = 0.0;
     double bank = circles ? Math.toRadians(tuning.hold().holdBank()) : 0.0;
     altitudeDemandM = holdAltitudeM;
     speedDemandMps = guidance.cruiseSpeed();
     if (target.isPresent()) {
       GuidanceTarget ahead = target.get();
-      bank = lateral.bankRad(state, ahead.northM(), ahead.eastM());
+      bank = lateral.bankRad(state, ahead.northM(), ahead.eastM(), wind);
       altitudeDemandM = ahead.altitudeM();
       speedDemandMps =
           ahead.speedMps().orElse(speedDemandMps * state.trueOverCalibrated())
               / state.trueOverCalibrated();
+      speedDemandMps = againstWindMps(state, ahead, speedDemandMps);
       holdAltitudeM = altitudeDemandM;
     }
     boolean leadsUpLow =
@@ -118,17 +121,32 @@ final class AirbornePhases {
     double calibratedMps = target.speedMps().orElse(0.0) / state.trueOverCalibrated();
     speedDemandMps =
         Math.max(calibratedMps, guidance.cruiseSpeed()) + guidance.gustShare() * wind.speedMps();
+    speedDemandMps = againstWindMps(state, target, speedDemandMps);
     if (state.climbMps() < 0.0) {
       energy.levelOff();
     }
     double share = Limit.within(0.0, state.heightM() / tuning.takeOff().safeHeight(), 1.0);
     return surfaces(
         state,
-        lateral.bankRad(state, target.northM(), target.eastM()),
+        lateral.bankRad(state, target.northM(), target.eastM(), wind),
         share * share * Math.toRadians(guidance.bankLimit()),
         share < HEIGHT_FIRST_BELOW ? EnergyLaw.Priority.HEIGHT : EnergyLaw.Priority.BOTH,
         Math.toRadians(guidance.pitchLowerLimit()),
         dtS);
+  }
+
+  /**
+   * Calibrated airspeed with which it still advances towards navigation [m/s].
+   *
+   * @param usualMps the one without a wind that is nearly as fast
+   */
+  private double againstWindMps(FlightState state, GuidanceTarget ahead, double usualMps) {
+    double course = StrictMath.atan2(ahead.eastM(), ahead.northM());
+    double leastMps = guidance.minGroundSpeed();
+    double neededMps =
+        leastMps > 0.0 ? wind.airspeedMps(course, leastMps) / state.trueOverCalibrated() : 0.0;
+    raisedToMps = neededMps > usualMps ? Math.min(neededMps, guidance.maxSpeed()) : 0.0;
+    return Math.max(usualMps, raisedToMps);
   }
 
   private Surfaces surfaces(
@@ -144,7 +162,8 @@ final class AirbornePhases {
         guidance.leastSpeedMps(loops.bankRad())
             + 0.5 * guidance.stallBand()
             + guidance.gustShare() * wind.speedMps();
-    speedDemandMps = Limit.within(slowest, speedDemandMps, guidance.maxSpeed());
+    double fastest = guidance.maxSpeed();
+    speedDemandMps = Limit.within(Math.min(slowest, fastest), speedDemandMps, fastest);
     double most =
         Math.min(Math.toRadians(guidance.pitchUpperLimit()), guidance.pitchLimitRad(state));
     EnergyLaw.Command command =
@@ -176,6 +195,16 @@ final class AirbornePhases {
   /** Calibrated airspeed demanded [m/s]. */
   double speedDemandMps() {
     return speedDemandMps;
+  }
+
+  /** Sink rate demanded at the last step [m/s]; negative for a climb. */
+  double wantedSinkMps() {
+    return -energy.climbDemandMps();
+  }
+
+  /** Calibrated airspeed to which the wind has raised the demand [m/s]; 0 if it has not. */
+  double raisedToMps() {
+    return raisedToMps;
   }
 
   void transfer(Transfer state) {

@@ -1,6 +1,7 @@
 package org.u2sa.control.fixedwing;
 
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.u2sa.control.Transfer;
 
 /**
@@ -22,6 +23,7 @@ public final class Autopilot {
   private final WindEstimate wind = new WindEstimate();
   private final FinalApproach approach = new FinalApproach();
   private final LandingRefusal refusal;
+  private final TouchDown.ContactWatch contact = new TouchDown.ContactWatch();
 
   private FlightPhase phase = FlightPhase.RUN_UP;
   private boolean isArmed = true;
@@ -52,13 +54,15 @@ public final class Autopilot {
    *
    * @param target empty if navigation is absent or stale
    */
-  Surfaces step(FlightState state, Optional<GuidanceTarget> target) {
+  Surfaces step(FlightState seen, Optional<GuidanceTarget> target) {
     boolean first = Double.isNaN(lastTimeS);
     double dtS =
         first
             ? SHORTEST_STEP_S
-            : Limit.within(SHORTEST_STEP_S, state.timeS() - lastTimeS, LONGEST_STEP_S);
-    lastTimeS = state.timeS();
+            : Limit.within(SHORTEST_STEP_S, seen.timeS() - lastTimeS, LONGEST_STEP_S);
+    lastTimeS = seen.timeS();
+    contact.step(seen, phase, wantedSinkMps(seen, target), dtS);
+    FlightState state = contact.isOnGround() ? seen.onWheels() : seen;
     FlightPhase before = phase;
     if (first || target.isPresent()) {
       navigatedS = state.timeS();
@@ -71,7 +75,7 @@ public final class Autopilot {
         sequence.step(
             state,
             target.isPresent(),
-            isLanding(state, target),
+            isLanding(state, target) || contact.isHindered(),
             refusal.step(state, target, wind, approach),
             tuning.rotationMps(wind),
             loops.throttle());
@@ -126,12 +130,24 @@ public final class Autopilot {
   }
 
   private boolean isLanding(FlightState state, Optional<GuidanceTarget> target) {
-    double groundM = state.altitudeM() - state.heightM();
     double sooner = SOONER_S * Math.max(0.0, -state.climbMps() - GLIDE_SINK_MPS);
-    return state.heightM() < touchDown.heightM() + sooner
-        && target
-            .filter(point -> point.altitudeM() - groundM < LandingRefusal.LEADS_DOWN_M)
-            .isPresent();
+    return state.heightM() < touchDown.heightM() + sooner && isLedDown(state, target);
+  }
+
+  private static boolean isLedDown(FlightState state, Optional<GuidanceTarget> target) {
+    double groundM = state.altitudeM() - state.heightM();
+    return target
+        .filter(point -> point.altitudeM() - groundM < LandingRefusal.LEADS_DOWN_M)
+        .isPresent();
+  }
+
+  /** Sink rate that a landing demands [m/s]; 0 without one. */
+  private double wantedSinkMps(FlightState state, Optional<GuidanceTarget> target) {
+    return switch (phase) {
+      case CRUISE -> isLedDown(state, target) ? air.wantedSinkMps() : 0.0;
+      case FLARE -> touchDown.wantedSinkMps(state);
+      default -> 0.0;
+    };
   }
 
   private void enter(FlightState state, FlightPhase before, boolean first) {
@@ -153,7 +169,10 @@ public final class Autopilot {
         loops.restartYaw();
         air.restartEnergy(state, loops.pitchRad());
       }
-      case FLARE -> touchDown.begin(state, approach);
+      case FLARE -> {
+        contact.begin();
+        touchDown.begin(state, approach);
+      }
       case ROLL -> loops.restart();
       default -> {
         // nothing begins there
@@ -174,6 +193,7 @@ public final class Autopilot {
     wind.transfer(state);
     approach.transfer(state);
     refusal.transfer(state);
+    contact.transfer(state);
   }
 
   /**
@@ -187,6 +207,19 @@ public final class Autopilot {
   /** Reason for the go-around. */
   String refusalWords() {
     return refusal.words();
+  }
+
+  /** Calibrated airspeed to which the wind has raised the demand [m/s]; empty if it has not. */
+  OptionalDouble raisedToMps() {
+    boolean follows = phase == FlightPhase.CRUISE || phase == FlightPhase.GO_AROUND;
+    return follows && air.raisedToMps() > 0.0
+        ? OptionalDouble.of(air.raisedToMps())
+        : OptionalDouble.empty();
+  }
+
+  /** Wind speed, gusts averaged [m/s]. */
+  double windMps() {
+    return wind.speedMps();
   }
 
   FlightPhase phase() {

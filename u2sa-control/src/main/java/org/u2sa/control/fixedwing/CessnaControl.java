@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Supplier;
 import org.u2sa.control.ControlSystem;
@@ -37,6 +38,7 @@ public final class CessnaControl extends ControlSystem {
   private static final double FULL_PERCENT = 100.0;
   private static final long BY_HAND_EXPIRY_MICROS = 2 * Clock.MICROS_PER_SECOND; // four repetitions
   private static final String FIRST_STATE = "FIRST STATE"; // in the hand-over
+  private static final double RAISED_FOR_S = 60.0; // an airspeed not raised for so long is usual
   private static final double AT_REST_MPS = 2.0; // over ground
 
   private record Outputs(
@@ -63,6 +65,7 @@ public final class CessnaControl extends ControlSystem {
   private boolean isGroundSaved;
   private FlightPhase loggedPhase;
   private boolean loggedNavigating;
+  private double raisedS = Double.NaN; // when the wind last raised the airspeed; NaN: told nothing
   private double statusDueS = Double.NEGATIVE_INFINITY;
   private List<String> loggedMissing = List.of();
 
@@ -169,6 +172,7 @@ public final class CessnaControl extends ControlSystem {
       }
     }
     report(now, target.isPresent());
+    tellWind(now);
     if (reader.hasFlown() && !isGroundSaved) {
       isGroundSaved = true;
       remember();
@@ -259,6 +263,28 @@ public final class CessnaControl extends ControlSystem {
     if (news || state.timeS() >= statusDueS) {
       publish(ControlStatus.CHANNEL, status(navigating));
       statusDueS = state.timeS() + STATUS_INTERVAL_S;
+    }
+  }
+
+  /** Says that it flies faster than ordered, until it has not for a while. */
+  private void tellWind(FlightState state) {
+    OptionalDouble raised = autopilot.raisedToMps();
+    if (raised.isPresent()) {
+      String what =
+          String.format(
+              Locale.ROOT,
+              "wind of %.0f m/s: airspeed raised to %.0f m/s for MIN GROUND SPEED; MAX SPEED is %.0f m/s",
+              autopilot.windMps(),
+              raised.getAsDouble(),
+              tuning.get().guidance().maxSpeed());
+      if (Double.isNaN(raisedS)) {
+        trouble(what);
+      }
+      remark("wind", what);
+      raisedS = state.timeS();
+    } else if (state.timeS() - raisedS > RAISED_FOR_S) {
+      remark("wind", "");
+      raisedS = Double.NaN;
     }
   }
 

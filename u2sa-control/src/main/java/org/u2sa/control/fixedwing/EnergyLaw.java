@@ -130,6 +130,11 @@ final class EnergyLaw {
     climbDemand = Math.max(0.0, climbDemand);
   }
 
+  /** Climb rate demanded at the last step [m/s]. */
+  double climbDemandMps() {
+    return climbDemand;
+  }
+
   void transfer(Transfer state) {
     filteredAirspeed = state.number("FILTERED AIRSPEED", filteredAirspeed, Double.NaN);
     climbDemand = state.number("CLIMB DEMAND", climbDemand);

@@ -60,9 +60,12 @@ final class FlareLaw {
 
   /** Excess sink rate over the one demanded at this height [m/s]. */
   double excessSinkMps(FlightState state) {
-    double sink =
-        Math.max(parameters.flareSink(), state.heightM() / parameters.flareTimeConstant());
-    return -sink - state.climbMps();
+    return -wantedSinkMps(state) - state.climbMps();
+  }
+
+  /** Sink rate demanded at this height [m/s]. */
+  double wantedSinkMps(FlightState state) {
+    return Math.max(parameters.flareSink(), state.heightM() / parameters.flareTimeConstant());
   }
 
   /** Pitch to hold [rad]. */

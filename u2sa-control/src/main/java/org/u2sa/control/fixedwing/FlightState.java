@@ -26,6 +26,8 @@ package org.u2sa.control.fixedwing;
  * @param onGround whether a main wheel carries load
  * @param engineRpm [1/min]
  * @param engineStarting whether the engine is being primed: throttle stays between 0.1 and 0.5
+ * @param wheelsSensed whether onGround is measured, instead of concluded from the height
+ * @param overGroundKnown whether the velocity over ground is of this time; otherwise the last one
  */
 record FlightState(
     double timeS,
@@ -48,7 +50,37 @@ record FlightState(
     double betaRad,
     boolean onGround,
     double engineRpm,
-    boolean engineStarting) {
+    boolean engineStarting,
+    boolean wheelsSensed,
+    boolean overGroundKnown) {
+
+  /** The same state with weight on the wheels, which no sensor tells. */
+  FlightState onWheels() {
+    return new FlightState(
+        timeS,
+        northM,
+        eastM,
+        altitudeM,
+        heightM,
+        rollRad,
+        pitchRad,
+        headingRad,
+        rollRate,
+        pitchRate,
+        yawRate,
+        northMps,
+        eastMps,
+        climbMps,
+        trueAirspeedMps,
+        calibratedAirspeedMps,
+        alphaRad,
+        betaRad,
+        true,
+        engineRpm,
+        engineStarting,
+        wheelsSensed,
+        overGroundKnown);
+  }
 
   /** Speed over ground [m/s]. */
   double groundSpeedMps() {

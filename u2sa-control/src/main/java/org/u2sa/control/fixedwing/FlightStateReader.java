@@ -192,7 +192,9 @@ final class FlightStateReader {
                 ? fromStart && ground.isOnGround(place.altitudeM())
                 : aircraft.weightOnWheels(),
             aircraft == null ? (fromStart ? ELECTRIC_RPM : 0.0) : aircraft.engineRpm().orElse(0.0),
-            aircraft != null && aircraft.engineStarting()));
+            aircraft != null && aircraft.engineStarting(),
+            aircraft != null,
+            state.xDot().isPresent() && state.yDot().isPresent()));
   }
 
   private static double value(StateInformation state, StateField field) {

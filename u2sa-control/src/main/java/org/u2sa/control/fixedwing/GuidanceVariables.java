@@ -20,6 +20,10 @@ record GuidanceVariables(
     @Variable(unit = "m/s", min = 7, max = 82, ifAbsent = 60)
         @Description("Maximum demanded calibrated airspeed.")
         double maxSpeed,
+    @Variable(unit = "m/s", min = 0, max = 30, ifAbsent = 5)
+        @Description(
+            "Ground speed towards the navigation point below which the airspeed is raised against the wind, up to MAX SPEED; 0: not raised.")
+        double minGroundSpeed,
     @Variable(unit = "deg", min = 5, max = 60, ifAbsent = 27.5)
         @Description("Maximum demanded bank.")
         double bankLimit,

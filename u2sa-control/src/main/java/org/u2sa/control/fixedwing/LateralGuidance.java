@@ -10,6 +10,10 @@ import org.u2sa.messages.frame.Gravity;
 final class LateralGuidance {
 
   private static final double SLOWEST_MPS = 5.0; // ground speed; below it the track is meaningless
+  private static final double CREEPS_MPS =
+      2.0; // ground speed at which turning the track takes long
+  private static final double HEADWAY_MPS = 4.0; // possible ground speed with which tracks are held
+  private static final double HEADING_S = 4.0; // twice the time constant of a turn to a heading
 
   private final double shortestM;
 
@@ -36,6 +40,38 @@ final class LateralGuidance {
     // The paper limits η to a right angle, beyond which the sine would fall again.
     double bounded = Limit.symmetric(eta, Math.PI / 2.0);
     return 2.0 * speed * speed / distance * StrictMath.sin(bounded);
+  }
+
+  /**
+   * The same where the wind lets the aircraft make little or no headway, and its track says little:
+   * turns the nose to a heading.
+   *
+   * @param headingRad heading to turn to
+   */
+  double headingAccelerationMps2(FlightState state, double headingRad) {
+    double error = Limit.symmetric(Limit.angle(headingRad - state.headingRad()), Math.PI / 2.0);
+    double speed = state.trueAirspeedMps();
+    double distance = Math.max(shortestM, HEADING_S * speed);
+    return 2.0 * speed * speed / distance * StrictMath.sin(error);
+  }
+
+  /**
+   * Bank to the point [rad, right wing down positive], unlimited, against a wind that may be as
+   * fast as the aircraft: the less headway is possible or made, the more by heading instead of
+   * track.
+   */
+  double bankRad(FlightState state, double northM, double eastM, WindEstimate wind) {
+    double course = StrictMath.atan2(eastM, northM);
+    double speed = Math.max(SLOWEST_MPS, state.trueAirspeedMps());
+    double possible = wind.headwayMps(course, speed) / HEADWAY_MPS;
+    double made = (state.groundSpeedMps() - CREEPS_MPS) / (SLOWEST_MPS - CREEPS_MPS);
+    double share = Limit.within(0.0, Math.min(possible, made), 1.0);
+    double byTrack = accelerationMps2(state, northM, eastM);
+    if (share == 1.0) {
+      return StrictMath.atan2(byTrack, Gravity.STANDARD_MPS2);
+    }
+    double byHeading = headingAccelerationMps2(state, wind.headingRad(course, speed));
+    return StrictMath.atan2(share * byTrack + (1.0 - share) * byHeading, Gravity.STANDARD_MPS2);
   }
 
   /** Bank of the coordinated level turn to the point [rad, right wing down positive], unlimited. */

@@ -69,6 +69,11 @@ final class TouchDown {
     return flare.heightM();
   }
 
+  /** Sink rate demanded in the flare [m/s]. */
+  double wantedSinkMps(FlightState state) {
+    return flare.wantedSinkMps(state);
+  }
+
   /** Starts the flare: the centreline is the line of navigation, or else the ground track. */
   void begin(FlightState state, FinalApproach approach) {
     flare.restart(loops.pitchRad());
@@ -162,5 +167,88 @@ final class TouchDown {
   void transfer(Transfer state) {
     flare.transfer(state);
     nosewheel = state.flag("NOSEWHEEL STEERS", nosewheel);
+  }
+
+  /**
+   * Recognises the ground by a descent that is not followed, for aircraft without sensors of weight
+   * on wheels, whose altitude may be wrong; gusts hold it up less steadily. In an approach this
+   * begins the flare, in which power is off and an aircraft in the air sinks; if it does not sink
+   * there either, it is on its wheels.
+   */
+  static final class ContactWatch {
+    private static final double NEAR_M = 15.0; // height as known, also above which no flare goes on
+    private static final double SINKS_MPS = 0.5; // least demanded sink rate that tells
+    private static final double FOLLOWED_SHARE = 0.3; // also if the known velocity errs
+    private static final double NOISE_M = 0.25;
+    private static final double STEADY_MPS = 0.3; // gusts change a climb rate by more
+    private static final double SMOOTHED_S = 0.3;
+    private static final double SURE_S = 2.0;
+
+    private double wantedM; // descent
+    private double sunkM;
+    private double forS;
+    private double climbMps; // smoothed; the least and the most in that time
+    private double leastMps;
+    private double mostMps;
+    private boolean hindered;
+    private boolean grounded;
+
+    /** Restarts, as at the beginning of a flare. */
+    void begin() {
+      wantedM = 0.0;
+      sunkM = 0.0;
+      forS = 0.0;
+      leastMps = climbMps;
+      mostMps = climbMps;
+      hindered = false;
+    }
+
+    /**
+     * @param wantedSinkMps demanded sink rate of a landing; 0 without one
+     */
+    void step(FlightState state, FlightPhase phase, double wantedSinkMps, double dtS) {
+      boolean isFlare = phase == FlightPhase.FLARE;
+      climbMps += dtS / (SMOOTHED_S + dtS) * (state.climbMps() - climbMps);
+      if (phase == FlightPhase.STOPPED) {
+        return;
+      }
+      grounded &= isFlare;
+      if (wantedSinkMps < SINKS_MPS || state.wheelsSensed() || state.heightM() > NEAR_M) {
+        begin();
+        return;
+      }
+      wantedM += wantedSinkMps * dtS;
+      sunkM -= state.climbMps() * dtS;
+      forS += dtS;
+      leastMps = Math.min(leastMps, climbMps);
+      mostMps = Math.max(mostMps, climbMps);
+      boolean isFollowed = sunkM > FOLLOWED_SHARE * wantedM + NOISE_M;
+      if (isFollowed || mostMps - leastMps > STEADY_MPS || climbMps > STEADY_MPS) {
+        begin();
+      }
+      hindered = forS >= SURE_S;
+      grounded |= isFlare && hindered;
+    }
+
+    /** Whether the descent is not followed. */
+    boolean isHindered() {
+      return hindered;
+    }
+
+    /** Whether the wheels carry the aircraft, in the flare and until it takes off again. */
+    boolean isOnGround() {
+      return grounded;
+    }
+
+    void transfer(Transfer state) {
+      wantedM = state.number("WANTED DESCENT", wantedM);
+      sunkM = state.number("DESCENT", sunkM);
+      forS = state.number("DESCENT LASTS", forS);
+      climbMps = state.number("SMOOTHED CLIMB", climbMps);
+      leastMps = state.number("LEAST CLIMB", leastMps);
+      mostMps = state.number("MOST CLIMB", mostMps);
+      hindered = state.flag("DESCENT HINDERED", hindered);
+      grounded = state.flag("FOUND ON GROUND", grounded);
+    }
   }
 }

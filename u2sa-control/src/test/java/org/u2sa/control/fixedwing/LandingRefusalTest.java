@@ -17,7 +17,7 @@ class LandingRefusalTest {
   private static FlightState at(double northM, double heightM) {
     return new FlightState(
         0, northM, 0, heightM, heightM, 0, 0, 0, 0, 0, 0, 20, WIND_MPS, -2, 20, 20, 0, 0, false, 0,
-        false);
+        false, false, true);
   }
 
   /** Navigation descends, stays at a height for a while, and leads up again. */

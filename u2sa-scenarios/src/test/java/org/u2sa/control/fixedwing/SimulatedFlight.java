@@ -170,6 +170,8 @@ final class SimulatedFlight {
         s.sideslipRad(),
         s.weightOnWheels(),
         s.engineRpm(),
-        false);
+        false,
+        true,
+        true);
   }
 }

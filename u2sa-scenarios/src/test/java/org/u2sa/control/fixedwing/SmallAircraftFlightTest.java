@@ -30,7 +30,7 @@ class SmallAircraftFlightTest {
           Point.of(300.0, -200.0, 60.0),
           Point.of(-100.0, -200.0, 50.0));
 
-  private static UnmannedAircraft aerosonde(World world) {
+  static UnmannedAircraft aerosonde(World world) {
     double volt = 60.0 / (2.0 * Math.PI * 145.0);
     return UnmannedAircraft.fixedWing(
         new MassProperties(11.0, Point.of(0.8244, 1.135, 1.759), 0.1204),

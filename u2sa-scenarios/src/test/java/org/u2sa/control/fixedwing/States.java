@@ -23,6 +23,8 @@ final class States {
   private boolean onGround;
   private double engineRpm = 2300.0;
   private boolean engineStarting;
+  private boolean wheelsSensed = true;
+  private boolean overGroundKnown = true;
 
   /** 43 m/s towards east, 300 m up. */
   static States level() {
@@ -125,6 +127,16 @@ final class States {
     return this;
   }
 
+  States wheelsSensed(boolean value) {
+    wheelsSensed = value;
+    return this;
+  }
+
+  States overGroundKnown(boolean value) {
+    overGroundKnown = value;
+    return this;
+  }
+
   FlightState now() {
     return new FlightState(
         timeS,
@@ -147,6 +159,8 @@ final class States {
         betaRad,
         onGround,
         engineRpm,
-        engineStarting);
+        engineStarting,
+        wheelsSensed,
+        overGroundKnown);
   }
 }
