@@ -25,6 +25,9 @@ public final class HoverMotions {
   private static final double GROWTH = 0.08; // uncertainty per distance travelled by traffic
   private static final double CLOSER = 0.02; // smaller approaches inside a spheroid are free
   private static final double FENCE_BRAKING_MPS2 = 1.0; // as the Safety Manager assumes by default
+  private static final double FENCE_SHARE = 1.2; // of the stopping distance to the fence
+  private static final double SLOWER = 0.8;
+  private static final double STANDS_SHARE = 0.1;
   private static final double CHANGE_M = 10.0; // by which another free spot must be nearer
   private static final double ROOMY = 1.5; // distances beyond it are not distinguished
   private static final double MEAN_SHARE = 0.1;
@@ -104,7 +107,7 @@ public final class HoverMotions {
           outcome.isFree() ? awayM < leastM : leastM == Double.POSITIVE_INFINITY && room > widest;
       if (isBetter) {
         Point end = Point.of(spot.x(), spot.y(), outcome.endDownM());
-        best = new Choice(end, speedMps(spot, at.x(), at.y()), outcome.distance());
+        best = new Choice(end, speedMps(at, spot), outcome.distance());
         widest = room;
         leastM = outcome.isFree() ? awayM : leastM;
       }
@@ -154,19 +157,23 @@ public final class HoverMotions {
     for (double t = STEP_S; t <= limits.horizonS(); t += STEP_S) {
       if (t > limits.reactionS()) {
         double awayM = Math.max(1.0e-6, Math.hypot(to.x() - north, to.y() - east));
-        double mps = Math.min(speedMps(to, north, east), awayM / STEP_S);
-        double dn = mps * (to.x() - north) / awayM - vNorth;
-        double de = mps * (to.y() - east) / awayM - vEast;
-        boolean brakes = mps < Math.hypot(vNorth, vEast);
+        double wanted = Math.min(speedMps(to, north, east), awayM / STEP_S);
+        double dn = wanted * (to.x() - north) / awayM - vNorth;
+        double de = wanted * (to.y() - east) / awayM - vEast;
+        boolean brakes = wanted < Math.hypot(vNorth, vEast);
         double rate = brakes ? limits.brakingMps2() : limits.accelerationMps2();
         double part = Math.min(1.0, rate * STEP_S / Math.max(1.0e-9, Math.hypot(dn, de)));
         vNorth += part * dn;
         vEast += part * de;
         down = down(north, east, down, to.z(), isWanted);
       }
+      double mps = Math.hypot(vNorth, vEast);
+      double slower = mps == 0.0 ? 1.0 : insideMps(north, east, vNorth, vEast, mps) / mps;
+      vNorth *= slower;
+      vEast *= slower;
       double nextNorth = north + vNorth * STEP_S;
       double nextEast = east + vEast * STEP_S;
-      if (isBlocked(north, east, nextNorth, nextEast, Math.hypot(vNorth, vEast))) {
+      if (isBlocked(north, east, nextNorth, nextEast)) {
         vNorth = 0.0;
         vEast = 0.0;
       } else {
@@ -185,26 +192,46 @@ public final class HoverMotions {
     return new Outcome(isFree, distance, distance + MEAN_SHARE * sum / looks, down);
   }
 
+  /** Speed on the way from a position to a spot, at which it stops, and stays inside the fence. */
+  private double speedMps(Point at, Point spot) {
+    double mps = speedMps(spot, at.x(), at.y());
+    double awayM = Math.hypot(spot.x() - at.x(), spot.y() - at.y());
+    return mps == 0.0
+        ? 0.0
+        : insideMps(
+            at.x(),
+            at.y(),
+            mps * (spot.x() - at.x()) / awayM,
+            mps * (spot.y() - at.y()) / awayM,
+            mps);
+  }
+
   /** Speed from which it stops at a spot [m/s]. */
   private double speedMps(Point to, double north, double east) {
     double awayM = Math.hypot(to.x() - north, to.y() - east);
     return Math.min(limits.speedMps(), Math.sqrt(2.0 * limits.brakingMps2() * awayM));
   }
 
-  /** Whether a step leads into a static obstacle or too fast towards the fence. */
-  private boolean isBlocked(
-      double north, double east, double nextNorth, double nextEast, double mps) {
-    if (mps == 0.0) {
-      return false;
-    }
+  /** Whether a step leads into a static obstacle. */
+  private boolean isBlocked(double north, double east, double nextNorth, double nextEast) {
     double nowM = costs.distanceM(north, east) - circleM;
     double nextM = costs.distanceM(nextNorth, nextEast) - circleM;
-    double stopsM = mps * mps / (2.0 * FENCE_BRAKING_MPS2);
-    double ahead = stopsM / (mps * STEP_S);
-    double endNorth = nextNorth + ahead * (nextNorth - north);
-    double endEast = nextEast + ahead * (nextEast - east);
-    boolean nearsFence = allowed.contains(north, east) && !allowed.contains(endNorth, endEast);
-    return nextM < limits.touchM() && nextM < nowM || nearsFence;
+    return nextM < limits.touchM() && nextM < nowM;
+  }
+
+  /** Speed, at most as given, from which it stops inside the fence [m/s]. */
+  private double insideMps(double north, double east, double vNorth, double vEast, double mps) {
+    if (!allowed.contains(north, east)) {
+      return mps;
+    }
+    for (double share = 1.0; share > STANDS_SHARE; share *= SLOWER) {
+      double stopsM = FENCE_SHARE * share * share * mps * mps / (2.0 * FENCE_BRAKING_MPS2);
+      double ahead = (stopsM + share * mps * STEP_S) / mps;
+      if (allowed.contains(north + ahead * vNorth, east + ahead * vEast)) {
+        return share * mps;
+      }
+    }
+    return 0.0;
   }
 
   /** Altitude after a step towards another, as far as there is room. */
