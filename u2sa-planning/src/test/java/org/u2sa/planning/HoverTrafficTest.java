@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -160,6 +161,25 @@ class HoverTrafficTest extends PlannedVehicle {
     }
     assertThat(nearestM).isGreaterThan(NEAREST_M);
     assertThat(logged(": waiting") + logged("given up: ")).isGreaterThanOrEqualTo(1);
+  }
+
+  /** Any direction and speed, seen for as long as the horizon. */
+  @ParameterizedTest
+  @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12})
+  void pause_trafficFromAnywhere_keepsAwayAndReturns(long seed) {
+    Random random = new Random(seed);
+    double course = 2.0 * Math.PI * random.nextDouble();
+    double mps = 1.0 + 9.0 * random.nextDouble();
+    double down = 2.4 * random.nextDouble() - 1.2;
+    start(5.0);
+    lead(Point.of(0.0, 0.0, 0.0), 3.0);
+    pause();
+    hover(Point.of(mps * Math.cos(course), mps * Math.sin(course), down));
+    while (kit.nowS() < 110.0) {
+      step(Point.of(mps * Math.cos(course), mps * Math.sin(course), down));
+    }
+    assertThat(nearestM).isGreaterThan(NEAREST_M);
+    assertThat(at.minus(held).distance()).isLessThan(4.0);
   }
 
   @ParameterizedTest

@@ -25,7 +25,7 @@ public final class HoverMotions {
   private static final double GROWTH = 0.08; // uncertainty per distance travelled by traffic
   private static final double CLOSER = 0.02; // smaller approaches inside a spheroid are free
   private static final double FENCE_BRAKING_MPS2 = 1.0; // as the Safety Manager assumes by default
-  private static final double FENCE_SHARE = 1.2; // of the stopping distance to the fence
+  private static final double FENCE_REACTION_S = 1.0; // likewise
   private static final double SLOWER = 0.8;
   private static final double STANDS_SHARE = 0.1;
   private static final double CHANGE_M = 10.0; // by which another free spot must be nearer
@@ -225,8 +225,9 @@ public final class HoverMotions {
       return mps;
     }
     for (double share = 1.0; share > STANDS_SHARE; share *= SLOWER) {
-      double stopsM = FENCE_SHARE * share * share * mps * mps / (2.0 * FENCE_BRAKING_MPS2);
-      double ahead = (stopsM + share * mps * STEP_S) / mps;
+      double slower = share * mps;
+      double stopsM = slower * FENCE_REACTION_S + slower * slower / (2.0 * FENCE_BRAKING_MPS2);
+      double ahead = (stopsM + slower * STEP_S) / mps;
       if (allowed.contains(north + ahead * vNorth, east + ahead * vEast)) {
         return share * mps;
       }
