@@ -14,7 +14,8 @@ import org.u2sa.planning.guidance.Vehicle;
  * and back to where it was.
  */
 final class HoverPlace {
-  private static final double BACK_M = 2.0; // from the place
+  private static final double BACK_M = 1.0; // from the place
+  private static final double STILL_MPS = 0.3; // then it stays where it is
 
   private final Avoidance avoidance;
   private Optional<Place> place = Optional.empty(); // while it evades and returns
@@ -35,7 +36,8 @@ final class HoverPlace {
     Point way = vehicle.nedOf(here);
     NavigationPoint point = NavigationPoint.at(vehicle.body(way));
     boolean evades = avoidance.hover(vehicle, state, point);
-    boolean returns = place.isPresent() && way.distance() > BACK_M;
+    boolean isBack = way.distance() <= BACK_M && vehicle.speedMps() <= STILL_MPS;
+    boolean returns = place.isPresent() && !isBack;
     place = evades || returns ? Optional.of(here) : Optional.empty();
     return place.isPresent() ? List.of(point) : List.of();
   }

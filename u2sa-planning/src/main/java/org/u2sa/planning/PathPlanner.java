@@ -590,10 +590,7 @@ public class PathPlanner extends EventDrivenService {
   private Optional<String> guard(
       String uid, List<NavigationPoint> points, KnownGround below, StateInformation state) {
     Vehicle vehicle = Vehicle.of(state).orElseThrow();
-    return points.stream()
-        .filter(PathPlanner::isOwn)
-        .findFirst()
-        .flatMap(point -> avoidance.guard(uid, vehicle, state, point, below));
+    return own(points).flatMap(point -> avoidance.guard(uid, vehicle, state, point, below));
   }
 
   private void show(PlannedPath path, StateInformation state) {

@@ -129,7 +129,7 @@ class HoverTrafficTest extends PlannedVehicle {
 
   private void assertEvadedOnceAndReturned() {
     assertThat(nearestM).isGreaterThan(NEAREST_M);
-    assertThat(at.minus(held).distance()).isLessThan(4.0);
+    assertThat(at.minus(held).distance()).isLessThan(2.5);
     assertThat(logged(SAID)).isEqualTo(1);
   }
 
@@ -179,7 +179,7 @@ class HoverTrafficTest extends PlannedVehicle {
       step(Point.of(mps * Math.cos(course), mps * Math.sin(course), down));
     }
     assertThat(nearestM).isGreaterThan(NEAREST_M);
-    assertThat(at.minus(held).distance()).isLessThan(4.0);
+    assertThat(at.minus(held).distance()).isLessThan(2.5);
   }
 
   @ParameterizedTest
