@@ -104,7 +104,9 @@ public final class DifferentialDriveControl extends GroundControl {
         gains.get().mismatchGain(),
         0.0,
         motors.get().mismatchLimit() / FULL_PERCENT,
-        gains.get().headingGain() / FULL_PERCENT);
+        gains.get().headingGain() / FULL_PERCENT,
+        0.0,
+        1.0);
   }
 
   @Override

@@ -39,6 +39,10 @@ public final class DifferentialPursuitControl extends GroundControl {
           @Description(
               "Share of a yaw-rate error that feedback corrects per second while turning in place; 0: no feedback.")
           double spotTurnFeedback,
+      @Variable(min = 1, max = 20, ifAbsent = 2)
+          @Description(
+              "Limit of a turn in place with feedback, as a multiple of the calibrated command at TURN RATE; more for wheels that scrub under load.")
+          double spotTurnBoost,
       @Variable(min = 0, max = 10, ifAbsent = 2)
           @Description("Additional commanded yaw rate per yaw-rate error; 0: none.")
           double yawRateGain) {}
@@ -93,12 +97,16 @@ public final class DifferentialPursuitControl extends GroundControl {
         .commanded(demand, drive(demand, state), measured, stepS())
         .ifPresent(
             words -> {
-              unmoved(words);
+              boolean isBounded = isTurnInPlace(demand.drive()) && mostTurning() < 1.0;
+              unmoved(isBounded ? words + "; SPOT TURN BOOST limits the power" : words);
               balance.relax();
             });
   }
 
-  /** Commands the motors; returns the demand as a fraction of their capability. */
+  /**
+   * Commands the motors; returns the demand as a fraction of their capability, or of the limit in a
+   * turn in place.
+   */
   private double drive(PursuitControl.Demand demand, StateInformation state) {
     DriveCalibration motor = tuning.get().calibration();
     Drive drive = demand.drive();
@@ -120,7 +128,18 @@ public final class DifferentialPursuitControl extends GroundControl {
     WheelShares possible = shares.possible();
     commandShare(motors.get().leftActuator(), possible.left());
     commandShare(motors.get().rightActuator(), possible.right());
-    return shares.effort();
+    return shares.effort() / (isTurnInPlace(drive) ? mostTurning() : 1.0);
+  }
+
+  private static boolean isTurnInPlace(Drive drive) {
+    return !drive.isStanding() && drive.speedMps() == 0.0;
+  }
+
+  /** Limit of the command in a turn in place, as a fraction of full command. */
+  private double mostTurning() {
+    DriveCalibration motor = tuning.get().calibration();
+    double wheelMps = 0.5 * turning.get().track() * tuning.get().turnRateRadPerS();
+    return Math.min(1.0, turning.get().spotTurnBoost() * motor.share(wheelMps));
   }
 
   private WheelBalance.Settings feedback(DriveCalibration motor) {
@@ -130,7 +149,9 @@ public final class DifferentialPursuitControl extends GroundControl {
         tuning.get().turnGain(),
         turning.get().spotTurnFeedback(),
         motors.get().mismatchLimit() / FULL_PERCENT,
-        0.5 * turning.get().track() * (1.0 - motor.startShare()) / motor.maxMps());
+        0.5 * turning.get().track() * (1.0 - motor.startShare()) / motor.maxMps(),
+        tuning.get().turnRateRadPerS(),
+        mostTurning());
   }
 
   @Override

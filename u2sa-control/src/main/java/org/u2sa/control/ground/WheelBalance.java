@@ -35,6 +35,8 @@ final class WheelBalance {
    * @param turning fraction corrected per second in turns in place [1/s]
    * @param mostMismatch limit of the mismatch, 0…1
    * @param sharePerRadPerS additional command fraction of each motor per yaw rate
+   * @param mostAtOnceRadPerS limit of the yaw rate that the proportional part commands [rad/s]
+   * @param mostTurning limit of the command in a turn in place, 0…1
    */
   record Settings(
       double proportional,
@@ -42,7 +44,9 @@ final class WheelBalance {
       double driving,
       double turning,
       double mostMismatch,
-      double sharePerRadPerS) {}
+      double sharePerRadPerS,
+      double mostAtOnceRadPerS,
+      double mostTurning) {}
 
   /** Saves or restores the learnt mismatch, which is valid for every control system. */
   void transfer(Transfer state) {
@@ -81,14 +85,16 @@ final class WheelBalance {
       double newer = stepS / (settings.smoothingS() + stepS);
       smoothRadPerS += newer * (errorRadPerS.getAsDouble() - smoothRadPerS);
     }
-    double atOnce = settings.proportional() * settings.sharePerRadPerS() * smoothRadPerS;
+    double atOnce = settings.sharePerRadPerS() * atOnceRadPerS(settings);
     double error = errorRadPerS.orElse(0.0) * settings.sharePerRadPerS() * stepS;
     if (ahead == 0.0) {
       bias = 0.0;
       double direction = Math.signum(wanted.right() - wanted.left());
-      double room = 1.0 - wanted.effort(); // anti-windup
+      double most = Math.max(settings.mostTurning(), wanted.effort());
+      double room = most - wanted.effort(); // anti-windup
       push = bounded(push + settings.turning() * direction * error, -wanted.effort(), room);
-      return balanced(wanted, direction * push + atOnce);
+      double turn = bounded(push + direction * atOnce, -wanted.effort() - most, room);
+      return balanced(wanted, direction * turn);
     }
     double both = ahead * ahead + EQUAL_PARTS * EQUAL_PARTS;
     mismatch -= settings.driving() * error * ahead / both; // in reverse the weaker one turns back
@@ -96,6 +102,12 @@ final class WheelBalance {
     bias += settings.driving() * error * EQUAL_PARTS * EQUAL_PARTS / both;
     bias = bounded(bias, -1.0, 1.0);
     return balanced(wanted, bias + atOnce);
+  }
+
+  /** Proportional part [rad/s], bounded because the measured yaw rate may be wrong. */
+  private double atOnceRadPerS(Settings settings) {
+    double most = settings.mostAtOnceRadPerS();
+    return bounded(settings.proportional() * smoothRadPerS, -most, most);
   }
 
   private void forgetSwitchedOff(Settings settings) {

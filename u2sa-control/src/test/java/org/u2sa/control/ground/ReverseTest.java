@@ -1,6 +1,7 @@
 package org.u2sa.control.ground;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -40,7 +41,20 @@ class ReverseTest {
   }
 
   @Test
+  void control_measuredYawRateStaysAtZero_turnsWithTheLimitedPower() {
+    kit.start(DifferentialPursuitControl::new);
+    go(Point.of(0.0, 5.0, 0.0), false, 0.0, 2.5);
+
+    // 0.22 m * 70 deg/s = 0.27 m/s: 8 % + 92 % * 0.27 / 2, twice
+    assertThat(kit.percent("RIGHT MOTOR")).isCloseTo(40.7, within(0.1));
+
+    go(Point.of(0.0, 5.0, 0.0), false, 0.0, 3.0);
+    assertThat(kit.percent("RIGHT MOTOR")).as("rests").isZero();
+  }
+
+  @Test
   void control_reversesAfterATurnUnderLoad_goesStraight() {
+    kit.with("SPOT TURN BOOST", 4.0);
     kit.start(DifferentialPursuitControl::new);
     go(Point.of(0.0, 5.0, 0.0), false, 0.0, 2.5);
     assertThat(kit.percent("RIGHT MOTOR")).as("pushes").isGreaterThan(60.0);

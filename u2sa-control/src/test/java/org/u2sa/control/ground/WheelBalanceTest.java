@@ -13,7 +13,7 @@ class WheelBalanceTest {
   private static final double STEP_S = 0.05;
   private static final double SHARE_PER_RADPS = 0.1;
   private static final WheelBalance.Settings SETTINGS =
-      new WheelBalance.Settings(0.0, 0.15, 1.0, 2.0, 0.8, SHARE_PER_RADPS);
+      new WheelBalance.Settings(0.0, 0.15, 1.0, 2.0, 0.8, SHARE_PER_RADPS, 1.0, 1.0);
   private static final WheelShares AHEAD = new WheelShares(0.5, 0.5);
   private static final WheelShares LEFT_TURN = new WheelShares(-0.2, 0.2);
   private static final WheelShares STANDING = new WheelShares(0.0, 0.0);
@@ -70,7 +70,7 @@ class WheelBalanceTest {
     drive(AHEAD, 0.5, 0.3, 0.0, 10.0);
     drive(LEFT_TURN, 0.0, 0.3, 0.1, 5.0);
     WheelBalance.Settings off =
-        new WheelBalance.Settings(0.0, 0.15, 0.0, 0.0, 0.8, SHARE_PER_RADPS);
+        new WheelBalance.Settings(0.0, 0.15, 0.0, 0.0, 0.8, SHARE_PER_RADPS, 1.0, 1.0);
 
     assertThat(balance.step(AHEAD, 0.5, OptionalDouble.of(0.5), off, STEP_S)).isEqualTo(AHEAD);
     assertThat(balance.step(LEFT_TURN, 0.0, OptionalDouble.of(0.5), off, STEP_S))
@@ -107,6 +107,35 @@ class WheelBalanceTest {
     balance.relax();
     assertThat(balance.step(LEFT_TURN, 0.0, OptionalDouble.empty(), SETTINGS, STEP_S))
         .isEqualTo(LEFT_TURN);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {-9.0, 2.0, 9.0}) // as if the vehicle turned too fast, not at all, or back
+  void step_measuredYawRateIsWrong_turnsInPlaceWithinTheLimit(double error) {
+    WheelBalance.Settings bounded =
+        new WheelBalance.Settings(2.0, 0.15, 1.0, 2.0, 0.8, SHARE_PER_RADPS, 1.2, 0.4);
+    WheelShares told = LEFT_TURN;
+    for (int i = 0; i < 200; i++) {
+      told = balance.step(LEFT_TURN, 0.0, OptionalDouble.of(error), bounded, STEP_S);
+      assertThat(told.effort()).isLessThanOrEqualTo(0.4 + 1.0e-9);
+    }
+    for (int i = 0; i < 20; i++) {
+      told = balance.step(LEFT_TURN, 0.0, OptionalDouble.of(0.0), bounded, STEP_S);
+    }
+    WheelShares next = balance.step(LEFT_TURN, 0.0, OptionalDouble.of(-2.0), bounded, STEP_S);
+    assertThat(next.right()).isLessThan(told.right()); // nothing has wound up
+  }
+
+  @Test
+  void step_measuredYawRateIsWrongWhileDriving_proportionalPartIsBounded() {
+    WheelBalance.Settings bounded =
+        new WheelBalance.Settings(2.0, 0.15, 0.0, 0.0, 0.8, SHARE_PER_RADPS, 1.2, 0.4);
+    WheelShares told = AHEAD;
+    for (int i = 0; i < 100; i++) {
+      told = balance.step(AHEAD, 0.5, OptionalDouble.of(3.0), bounded, STEP_S);
+    }
+
+    assertThat(told.right() - 0.5).isCloseTo(0.12, within(1.0e-9));
   }
 
   @Test

@@ -184,7 +184,10 @@ final class Fuser {
     }
     trust.learn(s, at, linear, update.expected, isLog);
     SourceTrust.notedNis(s, at, nis);
-    double runs = runs(s, source, quantity, isGauge);
+    double runs =
+        quantity == SensedQuantity.HEADING
+            ? judge.repeatedHeading(s, linear, source, at, factor)
+            : runs(s, source, quantity, isGauge);
     if (runs > 1.0) {
       nis = update.weigh(linear, factor * runs);
     }
@@ -193,9 +196,21 @@ final class Fuser {
         || quantity.isPlace() && doubts.isLeftOut(s, m, linear, source, at, wanderRate)) {
       return;
     }
-    if (nis > gates[linear.rows]) {
+    boolean isHeading = quantity == SensedQuantity.HEADING;
+    if (isHeading && nis > gates[linear.rows] && judge.isHeld(s, source)) {
+      s.trust[at + SourceTrust.GATED]++; // no evidence against the estimate
+      return;
+    }
+    boolean isUnseenTurn =
+        isHeading
+            && nis > gates[linear.rows]
+            && !judge.isCorroboratedSinceRejected(s, source, quantity, at)
+            && scatter.showsTurn(s, linear, at);
+    if (isUnseenTurn) {
+      update.prepare(s, linear, factor);
+    } else if (nis > gates[linear.rows]) {
       boolean mustGiveWay = judge.gated(s, linear, source, quantity, at);
-      mustGiveWay |= quantity == SensedQuantity.HEADING && isTurnDoubted(s, at);
+      mustGiveWay |= isHeading && isTurnDoubted(s, at);
       if (InertialContradiction.isOfMotion(quantity) && contradiction.isShown(s)) {
         contradiction.reopen(s);
         contradiction.admit(s);

@@ -15,6 +15,11 @@ final class RefusedScatter {
   private static final double STEP_VARIANCES = 4.0; // per squared step: two axes, two positions
   private static final double MIN_GROWTH = 2.0; // of a variance; less may be due to chance
 
+  private static final double MIN_TURN_STEPS = 2.0;
+  private static final double MIN_TURN_S = 0.08;
+  private static final double TURN_SIGMAS = 3.0;
+  private static final double MIN_STEADINESS = 0.6; // 1: all steps are equal
+
   private final FilterTuning tuning;
 
   RefusedScatter(FilterTuning tuning) {
@@ -54,6 +59,35 @@ final class RefusedScatter {
     double drift2 = (north * north + east * east) / steps;
     double sum2 = t[at + SourceTrust.STREAK_STEPS2] - largest * largest - drift2;
     return Math.max(0.0, sum2 / (STEP_VARIANCES * (steps - LOST_STEPS)));
+  }
+
+  /**
+   * Whether headings that no gyroscope or wheel explains show that the turn rate is wrong: rejected
+   * ones went on turning away from the estimate in one direction. Corrects the turn rate by that
+   * and makes the heading uncertain.
+   *
+   * @param heading beyond the gate, not yet recorded
+   */
+  boolean showsTurn(FilterState s, Linearization heading, int at) {
+    double[] t = s.trust;
+    double steps = t[at + SourceTrust.STREAK];
+    double seconds = (s.micros - t[at + SourceTrust.STREAK_SINCE]) * 1e-6;
+    if (s.isInertial || s.hasTurnInput() || steps < MIN_TURN_STEPS || seconds < MIN_TURN_S) {
+      return false;
+    }
+    double turned = heading.innovation[0] - t[at + SourceTrust.STREAK_FIRST];
+    double step = heading.innovation[0] - t[at + SourceTrust.STREAK_NEWEST];
+    double steps2 = t[at + SourceTrust.STREAK_STEPS2] + step * step;
+    double noise2 = 2.0 * SourceTrust.factor(s, at) * heading.variance[0];
+    boolean isSteady = turned * turned > MIN_STEADINESS * steps * steps2;
+    if (!isSteady || turned * turned < TURN_SIGMAS * TURN_SIGMAS * noise2) {
+      return false;
+    }
+    s.x[FilterState.W + 2] += turned / seconds;
+    s.isolate(FilterState.RATE + 2, tuning.turnSigma() * tuning.turnSigma());
+    double apart = heading.innovation[0];
+    s.p.data[(FilterState.ATTITUDE + 2) * (FilterState.N + 1)] += apart * apart;
+    return true;
   }
 
   /**

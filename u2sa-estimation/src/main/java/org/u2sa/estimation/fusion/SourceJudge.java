@@ -13,6 +13,7 @@ final class SourceJudge {
   private static final int TRUSTED_AFTER = 5;
   private static final int RESET_AFTER = 3;
   private static final double FROZEN_RUN = 3.0;
+  private static final double LONGEST_HOLD_S = 0.2; // of a heading while the vehicle turns
   private static final double SILENT_AFTER_S = 1.0;
   private static final double SILENT_INTERVALS = 5.0;
 
@@ -77,6 +78,31 @@ final class SourceJudge {
       }
     }
     return t[own + SourceTrust.IS_FROZEN] != 0.0;
+  }
+
+  /**
+   * Factor on the variance of a heading. One that repeats exactly may have been measured at any
+   * time since its value was new, so it is uncertain by the turn since, until it has repeated for
+   * so long that the vehicle rather stands.
+   *
+   * @param factor on the claimed variance
+   */
+  double repeatedHeading(FilterState s, Linearization heading, int source, int at, double factor) {
+    if (!isHeld(s, source)) {
+      return 1.0;
+    }
+    double since = heading.predicted[0] - s.trust[at + SourceTrust.RUN_START];
+    double turned = Math.IEEEremainder(since, 2.0 * Math.PI);
+    return 1.0 + turned * turned / (factor * heading.variance[0]);
+  }
+
+  /**
+   * Whether a source repeats its values, but not for so long that it rather measures them again.
+   */
+  boolean isHeld(FilterState s, int source) {
+    int own = trust.of(s, source);
+    double run = s.trust[own + SourceTrust.RUN];
+    return run > 0.0 && run * s.trust[own + SourceTrust.INTERVAL] <= LONGEST_HOLD_S;
   }
 
   /** Whether a vector within the gate is used. A biased source must agree several times first. */
@@ -157,6 +183,16 @@ final class SourceJudge {
 
   /** Whether another source's measurements of the same quantity were used recently. */
   boolean isCorroborated(FilterState s, int source, SensedQuantity quantity) {
+    return isCorroborated(s, source, quantity, s.micros - tuning.resetAfterS() * MICROS);
+  }
+
+  /** Whether they were used since this source's were first rejected. */
+  boolean isCorroboratedSinceRejected(FilterState s, int source, SensedQuantity quantity, int at) {
+    return isCorroborated(s, source, quantity, s.trust[at + SourceTrust.STREAK_SINCE]);
+  }
+
+  private boolean isCorroborated(
+      FilterState s, int source, SensedQuantity quantity, double afterMicros) {
     for (int other = 0; other < trust.sources(); other++) {
       for (int q = 0; q < SensedQuantity.count(); q++) {
         SensedQuantity each = SensedQuantity.at(q);
@@ -164,7 +200,7 @@ final class SourceJudge {
             && trust.isKnown(other, each)
             && !(other == source && each == quantity)) {
           double last = s.trust[trust.of(s, other, each) + SourceTrust.LAST_USED];
-          if (last > 0.0 && (s.micros - last) / MICROS < tuning.resetAfterS()) {
+          if (last > 0.0 && last > afterMicros) {
             return true;
           }
         }
