@@ -44,7 +44,7 @@ public final class MessageTypes {
 
   /**
    * Those of {@link #discovered()} that can be loaded, for programs that must not fail because of
-   * an extension, such as one that stops a vehicle.
+   * an extension, whatever it throws, such as one that stops a vehicle.
    *
    * @param missing receives why the types of an extension are missing
    */
@@ -57,9 +57,10 @@ public final class MessageTypes {
       try {
         isMore = providers.hasNext();
         types = isMore ? types.with(providers.next().messageTypes()) : types;
-      } catch (ServiceConfigurationError | LinkageError | IllegalArgumentException e) {
+      } catch (Exception | Error e) { // whatever the extension's code throws
         faults++;
-        missing.accept("message types of an extension are missing: " + e.getMessage());
+        String why = e instanceof ServiceConfigurationError ? e.getMessage() : e.toString();
+        missing.accept("message types of an extension are missing: " + why);
       }
     }
     return types;
