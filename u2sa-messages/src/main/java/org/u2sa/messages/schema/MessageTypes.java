@@ -54,13 +54,18 @@ public final class MessageTypes {
     MessageTypes types = of(Collections.emptyList());
     boolean isMore = true;
     for (int faults = 0; isMore && faults < MAX_FAULTS; ) {
+      String who = "an extension";
       try {
         isMore = providers.hasNext();
-        types = isMore ? types.with(providers.next().messageTypes()) : types;
+        if (isMore) {
+          MessageTypeProvider provider = providers.next();
+          who = provider.getClass().getName();
+          types = types.with(provider.messageTypes());
+        }
       } catch (Exception | Error e) { // whatever the extension's code throws
         faults++;
         String why = e instanceof ServiceConfigurationError ? e.getMessage() : e.toString();
-        missing.accept("message types of an extension are missing: " + why);
+        missing.accept("message types of " + who + " are missing: " + why);
       }
     }
     return types;

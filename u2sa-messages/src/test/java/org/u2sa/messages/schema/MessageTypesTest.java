@@ -122,7 +122,7 @@ class MessageTypesTest {
   @ValueSource(classes = {Unconfigured.class, Endless.class, Absent.class, WithoutAClass.class})
   void loadable_extensionThatFails_leavesTheOthersAndSaysSo(
       Class<? extends MessageTypeProvider> extension, @TempDir Path folder) throws IOException {
-    assertThatOthersRemain(folder, extension.getName(), "message types of an extension");
+    assertThatOthersRemain(folder, extension.getName(), extension.getName() + " are missing: ");
   }
 
   private static void assertThatOthersRemain(Path folder, String extension, String said)
