@@ -1,18 +1,12 @@
 package org.u2sa.service;
 
-import static java.nio.charset.StandardCharsets.UTF_8;
-
 import java.io.IOException;
-import java.nio.ByteBuffer;
-import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
-import java.nio.file.StandardOpenOption;
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.u2sa.interfaces.disk.RegularFile;
 import org.u2sa.interfaces.disk.ReplacedFile;
+import org.u2sa.interfaces.disk.ReservedFile;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.service.handover.HandOver;
 import org.u2sa.service.handover.HandOverText;
@@ -21,12 +15,15 @@ import org.u2sa.service.handover.RememberedStates;
 /**
  * Saved state of a service for its restart in this run: a text file in its log folder, replaced
  * atomically, and a copy in memory, so that a restart in this process does not depend on the disk.
- * On a full disk the file is overwritten in place, which needs no room, or else deleted: a
- * successor must not take an old state for the present one. Not synced, because a power cut ends
- * the run. The service does not wait for a disk that hangs ({@link ReplacedFile}).
+ * In real time, room is reserved for a full disk ({@link ReservedFile}). If that is not enough, the
+ * file is deleted: a successor must not take an old state for the present one. Not synced, because
+ * a power cut ends the run. The service does not wait for a disk that hangs ({@link ReplacedFile}).
  */
 final class ProgressFile {
+  private static final int RESERVED_BYTES = 256 * 1024; // a fence as long as may be, 64 answers
+
   private final Path file;
+  private final ReservedFile saving; // accessed by the thread that writes
   private final String serviceName;
   private final String systemId;
   private final MessageCodec codec;
@@ -38,6 +35,7 @@ final class ProgressFile {
     inMemory = context.remembered();
     file = context.logDirectory().resolve(serviceName + ".progress");
     systemId = context.systemId();
+    saving = new ReservedFile(file, context.clock().isSimulated() ? 0 : RESERVED_BYTES);
     codec = new MessageCodec(context.messageTypes());
     access = new ReplacedFile(context.clock());
   }
@@ -52,48 +50,13 @@ final class ProgressFile {
    */
   void write(HandOver state, Runnable saved, Consumer<IOException> failed) {
     inMemory.put(serviceName, state);
-    byte[] text = (String.join("\n", HandOverText.lines(state, systemId)) + "\n").getBytes(UTF_8);
+    byte[] text = HandOverText.bytes(state, systemId);
     access.change(
         () -> {
-          save(text);
+          saving.replace(text);
           saved.run();
         },
         failed);
-  }
-
-  private void save(byte[] text) throws IOException {
-    Files.createDirectories(file.toAbsolutePath().getParent());
-    Path beside = file.resolveSibling(file.getFileName() + ".tmp");
-    RegularFile.refusePipe(beside);
-    try {
-      Files.write(beside, text);
-      Files.move(beside, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
-    } catch (IOException e) {
-      discard(beside, e);
-      overwrite(text, e);
-    }
-  }
-
-  private static void discard(Path path, IOException why) {
-    try {
-      Files.deleteIfExists(path);
-    } catch (IOException e) {
-      why.addSuppressed(e);
-    }
-  }
-
-  private void overwrite(byte[] text, IOException why) throws IOException {
-    try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE)) {
-      ByteBuffer rest = ByteBuffer.wrap(text);
-      while (rest.hasRemaining()) {
-        channel.write(rest);
-      }
-      channel.truncate(text.length);
-    } catch (IOException e) {
-      why.addSuppressed(e);
-      discard(file, why);
-      throw why;
-    }
   }
 
   /**
@@ -121,6 +84,6 @@ final class ProgressFile {
    */
   void delete(Consumer<IOException> failed) {
     inMemory.remove(serviceName);
-    access.change(() -> Files.deleteIfExists(file), failed);
+    access.change(saving::delete, failed);
   }
 }

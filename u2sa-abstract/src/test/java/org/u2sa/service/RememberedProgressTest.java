@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.AfterEach;
@@ -151,6 +152,15 @@ class RememberedProgressTest {
     restart();
 
     assertThat(learner.learnt).isEqualTo("new");
+  }
+
+  @Test
+  void restart_fileWithRoomForMore_takesOverItsState() throws Exception {
+    learn("something");
+    Files.writeString(file(), "\n".repeat(1000), StandardOpenOption.APPEND);
+    restart();
+
+    assertThat(learner.learnt).isEqualTo("something");
   }
 
   @Test

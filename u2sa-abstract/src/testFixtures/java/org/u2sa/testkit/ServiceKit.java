@@ -244,6 +244,15 @@ public final class ServiceKit implements AutoCloseable {
     }
   }
 
+  /** Deletes what a service has saved for its restart, as if the disk had been full. */
+  public void loseState(String serviceName) {
+    try {
+      Files.delete(directory.resolve(serviceName + ".progress"));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
   /** Ends all services, last started first, and removes the log files. */
   @Override
   public void close() {

@@ -58,6 +58,7 @@ public abstract class ControlSystem extends EventDrivenService {
 
   private final Settings<Limits> limits = settings(Limits.class);
   private final CommandBlend blend = new CommandBlend();
+  private final boolean isSwap;
   private StateHistory states = new StateHistory();
   private final Map<String, NavigationPoint> points = new HashMap<>(); // newest, by subsystem
   private final Map<String, NavigationPoint> placed =
@@ -72,6 +73,7 @@ public abstract class ControlSystem extends EventDrivenService {
    */
   protected ControlSystem(ServiceContext context, String serviceName) {
     super(context, ServiceRole.CONTROL_SYSTEM, serviceName);
+    isSwap = context.isSwap();
     states.span(Clock.micros(limits.get().staleAfter()));
     subscribe(Channels.NAVIGATION, this::onNavigation);
     subscribe(Channels.STATE, this::onState);
@@ -330,6 +332,15 @@ public abstract class ControlSystem extends EventDrivenService {
     return state.className().equals(getClass().getName());
   }
 
+  /**
+   * Whether this control system replaces one that moved the vehicle until now. Otherwise it was
+   * started or restarted: its actuators have been neutral, and commands, speeds and integrals that
+   * it saved no longer describe the vehicle's motion.
+   */
+  protected final boolean isSwap() {
+    return isSwap;
+  }
+
   /** {@inheritDoc} Overrides must call super. */
   @Override
   protected void handOver(HandOver state) {
@@ -344,6 +355,9 @@ public abstract class ControlSystem extends EventDrivenService {
   /** {@inheritDoc} Overrides must call super first. */
   @Override
   protected void takeOver(HandOver state) {
+    if (!isSwap) {
+      return; // where the vehicle was, and how it was moved, is out of date
+    }
     state.messages("STATES", StateInformation.class).forEach(states::add);
     if (!states.all().isEmpty()) {
       heardStateMicros = clock().micros();

@@ -20,7 +20,7 @@ import org.u2sa.testkit.ServiceKit;
 
 class ControlSystemTest {
   private final ServiceKit kit = new ServiceKit();
-  private final RecordingControl control = kit.start(RecordingControl::new);
+  private RecordingControl control = kit.start(RecordingControl::new);
 
   @AfterEach
   void close() {
@@ -218,12 +218,9 @@ class ControlSystemTest {
 
   @Test
   void takeOver_statesOfTheOneBefore_navigationPointWaitsForTheNextState() {
-    HandOver memory = new HandOver("RecordingControl");
-    StateInformation last = state();
-    last.timestamp(0L);
-    memory.messages("STATES", List.of(last));
+    kit.publish(Channels.STATE, state());
+    control = kit.swap(control, RecordingControl::new);
     control.obeysWithoutState = true;
-    control.takeOver(memory);
     kit.publish(Channels.NAVIGATION, NavigationPoint.at(Point.of(5.0, 0.0, 0.0)));
 
     assertThat(control.points).isEmpty();
@@ -231,15 +228,47 @@ class ControlSystemTest {
 
   @Test
   void release_whileBlendingFromAnotherLaw_isNeutralAtOnce() {
-    HandOver memory = new HandOver("AnotherControl");
-    memory.texts("COMMANDED", List.of("THROTTLE")).number("COMMAND THROTTLE", 80.0);
-    control.takeOver(memory);
-    kit.publish(Channels.STATE, state());
-    kit.advance(0.1);
+    swapFromAnotherLaw();
     control.release();
 
     PercentageCommand last = (PercentageCommand) kit.latest(Channels.ACTUATION).orElseThrow();
     assertThat(last.percentage()).isEqualTo(-5.0);
+  }
+
+  @Test
+  void takeOver_swapFromAnotherLaw_blendsFromItsCommands() {
+    swapFromAnotherLaw();
+
+    PercentageCommand last = (PercentageCommand) kit.latest(Channels.ACTUATION).orElseThrow();
+    assertThat(last.percentage()).isEqualTo(80.0);
+  }
+
+  /** After a restart, actuators have been neutral: what was commanded before is out of date. */
+  @Test
+  void takeOver_restart_continuesFromNoCommandOrPoint() {
+    commandByAnotherLaw();
+    kit.publish(Channels.NAVIGATION, NavigationPoint.at(Point.of(5.0, 0.0, 0.0)));
+    control.save();
+    control = kit.restart(control, RecordingControl::new);
+    kit.publish(Channels.STATE, state());
+
+    PercentageCommand last = (PercentageCommand) kit.latest(Channels.ACTUATION).orElseThrow();
+    assertThat(last.percentage()).isZero();
+    assertThat(control.points).containsExactly(Optional.empty());
+  }
+
+  private void swapFromAnotherLaw() {
+    commandByAnotherLaw();
+    control = kit.swap(control, RecordingControl::new);
+    kit.publish(Channels.STATE, state());
+  }
+
+  private void commandByAnotherLaw() {
+    control.shutDown();
+    control = kit.start(AnotherControl::new);
+    control.percentage = 80.0;
+    kit.publish(Channels.STATE, state());
+    kit.advance(0.1);
   }
 
   private static StateInformation state() {
@@ -247,7 +276,7 @@ class ControlSystemTest {
   }
 
   /** Remembers what it is asked. */
-  private static final class RecordingControl extends ControlSystem {
+  private static class RecordingControl extends ControlSystem {
     private final List<Double> steps = new ArrayList<>();
     private final List<Optional<NavigationPoint>> points = new ArrayList<>();
     private Optional<Point> ned = Optional.empty();
@@ -256,6 +285,10 @@ class ControlSystemTest {
 
     RecordingControl(ServiceContext context) {
       super(context, "RecordingControl");
+    }
+
+    void save() {
+      remember();
     }
 
     @Override
@@ -274,6 +307,12 @@ class ControlSystemTest {
     @Override
     protected Map<String, Double> neutral() {
       return Map.of("THROTTLE", -5.0);
+    }
+  }
+
+  private static final class AnotherControl extends RecordingControl {
+    AnotherControl(ServiceContext context) {
+      super(context);
     }
   }
 }

@@ -84,6 +84,7 @@ public final class MissionManager extends PeriodicService {
   private final HomeDistance homeDistance = new HomeDistance();
   private Optional<Waypoint> home = Optional.empty();
   private boolean beginsAnew = true; // false after a takeover
+  private boolean isStateLost; // restarted without the saved state, as after a full disk
   private long repeatDueMicros; // of the current goals, for a planner unaware of them
   private long ignored; // reports and updates
   private int waited; // failsafes for a position, after a restart
@@ -107,6 +108,7 @@ public final class MissionManager extends PeriodicService {
             this);
     firstFailsafe = new FirstFailsafe(this, context);
     byHand = new DrivingByHand(context.isRestart() || context.isSwap());
+    isStateLost = context.isRestart();
     messageTypes = context.messageTypes();
     orders =
         new MissionOrders(
@@ -222,6 +224,7 @@ public final class MissionManager extends PeriodicService {
 
   @Override
   protected void takeOver(HandOver state) {
+    isStateLost = false;
     byHand.takeOver(state);
     orders.takeOver(state);
     obeyed.takeOver(state.texts(OBEYED));
@@ -233,6 +236,7 @@ public final class MissionManager extends PeriodicService {
             && state.number(MissionVariables.DEFAULT_THRESHOLD).orElse(0.0) == thresholdM();
     if (!same) {
       log(LogLevelEnum.WARN, "mission changed since the last run: starting it from its first goal");
+      run.progress().pause(state.flag(MissionProgress.PAUSED));
       return;
     }
     MissionProgress.takenOver(state, settings.get().loop(), settings.get().options())
@@ -248,6 +252,10 @@ public final class MissionManager extends PeriodicService {
   protected void begin() {
     if (beginsAnew) {
       resumable.atStart().ifPresent(run::progress);
+    }
+    if (isStateLost && !run.progress().mission().isOver()) {
+      run.progress().pause(true);
+      trouble("restarted without a saved state: paused, as the mission may have been");
     }
     passTime(); // between two Mission Managers, too
     publishGoals();

@@ -18,6 +18,8 @@ import org.u2sa.service.handover.HandOver;
  * thread-safe.
  */
 final class MissionProgress {
+  static final String PAUSED = "PAUSED"; // in the hand-over
+
   private static final String COMPLETED = "COMPLETED";
   private static final String ABANDONED = "ABANDONED";
   private static final String PURSUED = "PURSUED";
@@ -250,7 +252,7 @@ final class MissionProgress {
         .texts(ABANDONED, abandoned)
         .flag("HAS BEFORE", before.isPresent())
         .flag("LIMIT PASSED", limitPassed)
-        .flag("PAUSED", paused)
+        .flag(PAUSED, paused)
         .number("ELAPSED", Clock.seconds(elapsedMicros));
     beganMicros.ifPresent(micros -> state.number("BEGAN", Clock.seconds(micros)));
   }
@@ -283,7 +285,7 @@ final class MissionProgress {
       before = Optional.of(Position.takenOver(state, BEFORE));
     }
     limitPassed = state.flag("LIMIT PASSED");
-    paused = state.flag("PAUSED");
+    paused = state.flag(PAUSED);
     elapsedMicros = Clock.micros(state.number("ELAPSED").orElse(0.0));
     OptionalDouble began = state.number("BEGAN");
     if (began.isPresent()) {

@@ -8,6 +8,8 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.mission.MissionAction;
+import org.u2sa.messages.mission.MissionOrder;
 
 /** Where a mission continues when its manager is restarted or swapped. */
 class MissionRestartTest extends ThreeWaypoints {
@@ -52,6 +54,34 @@ class MissionRestartTest extends ThreeWaypoints {
 
     assertThat(current()).containsExactly("A");
     assertThat(logged("mission changed since the last run")).isTrue();
+  }
+
+  @Test
+  void restart_savedStateIsLost_isPaused() {
+    MissionManager before = kit.start(MissionManager::new);
+    kit.loseState("MissionManager");
+
+    kit.restart(before, MissionManager::new);
+
+    assertThat(goals().paused()).isTrue();
+    assertThat(current()).containsExactly("1");
+    assertThat(logged("restarted without a saved state: paused")).isTrue();
+  }
+
+  @Test
+  void restart_pausedAndAnotherMissionMeanwhile_staysPaused() throws IOException {
+    MissionManager before = kit.start(MissionManager::new);
+    kit.publish(
+        Channels.MISSION,
+        new MissionOrder().requestId("1").operator("Ann").action(MissionAction.PAUSE));
+    Path other = directory.resolve("other.xml");
+    Files.writeString(other, "<mission><waypoint><name>A</name><x>1</x></waypoint></mission>");
+    kit.with("MISSION", other.toString());
+
+    kit.restart(before, MissionManager::new);
+
+    assertThat(current()).containsExactly("A");
+    assertThat(goals().paused()).isTrue();
   }
 
   @Test

@@ -49,6 +49,9 @@ public final class HandOverText {
     List<String> lines = Files.readAllLines(file, UTF_8);
     String[] first = lines.isEmpty() ? new String[0] : lines.get(0).split("\t", -1);
     int last = lines.size() - 1;
+    while (last > 0 && lines.get(last).isEmpty()) { // room kept for a full disk
+      last--;
+    }
     if (first.length != 3 || !first[0].equals(FIRST_WORDS) || !lines.get(last).equals(LAST_WORDS)) {
       throw new IOException(file + ": incomplete, or not the progress of a service");
     }

@@ -425,13 +425,12 @@ public final class AllocatingControl extends ControlSystem {
   @Override
   protected void takeOver(HandOver state) {
     boolean isMine = isOfMyClass(state);
-    boolean isFresh = state.isFresh(nowS());
     if (isMine) {
-      cascade.takeOver(state, isFresh);
+      cascade.takeOver(state, isSwap());
     }
     stood = cascade.stands();
-    waits = stood && !isFresh; // restarted in flight, its rotors must not stop
-    if (!isFresh) {
+    waits = stood && !isSwap(); // restarted in flight, its rotors must not stop
+    if (!isSwap()) {
       return;
     }
     super.takeOver(state);

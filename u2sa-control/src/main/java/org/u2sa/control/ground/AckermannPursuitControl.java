@@ -154,7 +154,9 @@ public final class AckermannPursuitControl extends GroundControl {
   protected void takeOver(HandOver state) {
     super.takeOver(state);
     misalignment = state.number("MISALIGNMENT").orElse(0.0);
-    pursuit.takeOver(state, isOfMyClass(state), lastDrive());
+    if (isSwap()) {
+      pursuit.takeOver(state, isOfMyClass(state), lastDrive());
+    }
   }
 
   /** Motion last commanded to the motors, by any control system. */

@@ -118,6 +118,6 @@ public final class DifferentialDriveControl extends GroundControl {
   @Override
   protected void takeOver(HandOver state) {
     super.takeOver(state);
-    balance.transfer(Transfer.restoring(state));
+    balance.takeOver(state, isSwap());
   }
 }

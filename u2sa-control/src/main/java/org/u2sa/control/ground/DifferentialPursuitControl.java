@@ -164,8 +164,10 @@ public final class DifferentialPursuitControl extends GroundControl {
   @Override
   protected void takeOver(HandOver state) {
     super.takeOver(state);
-    balance.transfer(Transfer.restoring(state));
-    pursuit.takeOver(state, isOfMyClass(state), lastDrive());
+    balance.takeOver(state, isSwap());
+    if (isSwap()) {
+      pursuit.takeOver(state, isOfMyClass(state), lastDrive());
+    }
   }
 
   /** Motion last commanded to the motors, by any control system. */

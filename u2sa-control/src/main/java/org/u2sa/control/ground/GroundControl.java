@@ -30,7 +30,6 @@ abstract class GroundControl extends ControlSystem {
   private final ActuatorRoster roster = new ActuatorRoster();
   private final Settings<HandDriving.Limits> handLimits = settings(HandDriving.Limits.class);
   private final HandDriving hand = new HandDriving();
-  private final boolean isSwap;
   private long saidMicros; // when the state of driving by hand was last published
   private boolean navigating;
   private boolean powerless;
@@ -39,7 +38,6 @@ abstract class GroundControl extends ControlSystem {
 
   GroundControl(ServiceContext context) {
     super(context, "Control");
-    isSwap = context.isSwap();
     subscribe(Channels.ARMING_STATE, this::onArming);
     subscribe(Channels.FAILSAFE, failsafe -> hand.see(failsafe.action()).ifPresent(this::ended));
     subscribe(Channels.MANUAL_DRIVE, drive -> hand.see(drive, clock().micros(), orderExpiryS()));
@@ -166,7 +164,7 @@ abstract class GroundControl extends ControlSystem {
   protected void takeOver(HandOver state) {
     super.takeOver(state);
     if (isDrivenByHand()) {
-      hand.takeOver(state, isSwap, clock().micros());
+      hand.takeOver(state, isSwap(), clock().micros());
     }
   }
 

@@ -2,6 +2,7 @@ package org.u2sa.control.ground;
 
 import java.util.OptionalDouble;
 import org.u2sa.control.Transfer;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Corrects the yaw rate of two motors for mismatch and load, by three integrals of the yaw-rate
@@ -53,6 +54,20 @@ final class WheelBalance {
     mismatch = state.number("MISMATCH", mismatch);
     bias = state.number("BIAS", bias);
     push = state.number("PUSH", push);
+  }
+
+  /**
+   * Continues from another control system.
+   *
+   * @param isSwap whether it moved the vehicle until now; otherwise only the mismatch of the motors
+   *     is still valid
+   */
+  void takeOver(HandOver state, boolean isSwap) {
+    transfer(Transfer.restoring(state));
+    if (!isSwap) {
+      bias = 0.0;
+      push = 0.0;
+    }
   }
 
   /** Resets the push for the next attempt to turn. */

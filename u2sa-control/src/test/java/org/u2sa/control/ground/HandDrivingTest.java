@@ -186,6 +186,33 @@ class HandDrivingTest {
     }
   }
 
+  /** The speed that was commanded when the drive ended is long out of date. */
+  @Test
+  void restart_longAfterADrive_standsStill() {
+    try (RoverDrive drive = differential()) {
+      order(drive, true, "Ann");
+      hold(drive, by("Ann").speed(0.8), 3.0);
+      order(drive, false, "Ann");
+      drive.until(() -> false, 20.0);
+      assertThat(speed(drive)).isCloseTo(0.0, within(0.02));
+      drive.restart(DifferentialPursuitControl::new);
+      assertStandsFor(drive, 3.0);
+      drive.restart(DifferentialDriveControl::new);
+      assertStandsFor(drive, 3.0);
+    }
+  }
+
+  private static void assertStandsFor(RoverDrive drive, double forS) {
+    double northM = drive.rover.north;
+    double eastM = drive.rover.east;
+    for (double t = 0.0; t < forS; t += 0.05) {
+      drive.until(() -> false, 0.05);
+      assertThat(drive.percent("LEFT MOTOR")).as("%.2f s after the restart", t).isZero();
+      assertThat(drive.percent("RIGHT MOTOR")).as("%.2f s after the restart", t).isZero();
+    }
+    assertThat(Math.hypot(drive.rover.north - northM, drive.rover.east - eastM)).isLessThan(0.02);
+  }
+
   @Test
   void order_olderThanItsExpiry_beginsNothingButEnds() {
     RoverDrive drive = differential();

@@ -10,6 +10,7 @@ import java.util.function.Supplier;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.service.handover.HandOver;
 
 /**
@@ -95,6 +96,22 @@ final class FailsafeDecision {
     }
     for (Cause cause : read(state.texts(KEPT), nowMicros)) {
       kept = cause;
+    }
+  }
+
+  /**
+   * Adopts an action that stays, as a previous Safety Manager without a saved state published it.
+   */
+  void resume(FailsafeState before, long nowMicros) {
+    for (String words : before.causes()) {
+      for (Hazard hazard : hazards) {
+        String start = hazard.words() + ": ";
+        if (kept == null && words.startsWith(start)) {
+          String what = words.substring(start.length()).replace(OVER, "");
+          Cause cause = new Cause(hazard, before.action(), what, nowMicros);
+          kept = stays(cause) ? cause : null;
+        }
+      }
     }
   }
 

@@ -72,6 +72,28 @@ final class FenceWatch implements Watch {
     file.forget();
   }
 
+  /**
+   * Continues with the fence that a predecessor without a saved state published, unless it is the
+   * configured one or another has been ordered since. Throws if it is invalid or incomplete.
+   *
+   * @return whether the fence has changed
+   */
+  boolean resume(FenceState published) {
+    if (isOrdered || published.file().isEmpty()) {
+      return false;
+    }
+    String source = published.file().get();
+    String xml =
+        published
+            .fence()
+            .orElseThrow(() -> new BadInputException(source + ": too long to be published"));
+    if (given != null && given.xml().equals(xml)) {
+      return false;
+    }
+    order(Optional.of(given(source, xml)));
+    return true;
+  }
+
   /** Applies FENCE MARGIN to the fence in force; throws if no area remains. */
   void drawIn() {
     if (!isOrdered) {

@@ -9,7 +9,8 @@ import org.u2sa.service.handover.HandOver;
  * The previous Safety Manager of the same run, so that a restart in flight neither disarms the
  * vehicle nor drops a failsafe. Its failsafes are known from its saved state. Its last retained
  * message proves only that one ran recently enough for this to be a restart, because others could
- * have published the message.
+ * have published the message. It counts alone only if this is a restart within the run and the
+ * saved state is lost, as on a full disk: an aircraft must not be disarmed in the air.
  */
 final class Predecessor {
   private static final double LISTEN_S = 0.5; // time for a broker to send retained messages
@@ -26,12 +27,16 @@ final class Predecessor {
 
   private final long listensUntilMicros;
   private final double spokeWithinS;
+  private final boolean isRestart;
+  private boolean isStateKnown; // whether its saved state was found
   private boolean awaited = true;
   private boolean heard; // whether it sent a message
   private boolean saysArmed; // according to its last message
+  private long saidMicros = Long.MIN_VALUE; // timestamp of that message
   private boolean armed; // according to its saved state
 
   Predecessor(long nowMicros, boolean isRestart) {
+    this.isRestart = isRestart;
     spokeWithinS = isRestart ? SPOKE_BEFORE_RESTART_WITHIN_S : SPOKE_WITHIN_S;
     listensUntilMicros = nowMicros + Clock.micros(LISTEN_S);
   }
@@ -43,12 +48,13 @@ final class Predecessor {
 
   /** Passes its state to the next successor, which starts before this one has begun. */
   void handOver(HandOver state) {
-    handOver(state, armed);
+    handOver(state, armed || wasArmed());
   }
 
   /** Restores the state saved by {@link #handOver}. */
   void takeOver(HandOver state) {
     armed = state.flag(ARMED);
+    isStateKnown = true;
   }
 
   void see(U2SAData message, long nowMicros) {
@@ -58,6 +64,7 @@ final class Predecessor {
         && Math.abs(ageMicros) <= Clock.micros(spokeWithinS)) {
       heard = true;
       saysArmed = state.armed();
+      saidMicros = nowMicros - ageMicros;
     }
   }
 
@@ -71,6 +78,7 @@ final class Predecessor {
   void end() {
     awaited = false;
     armed = false;
+    saysArmed = false;
   }
 
   /** Whether a Safety Manager was active shortly before. */
@@ -79,6 +87,16 @@ final class Predecessor {
   }
 
   boolean wasArmed() {
-    return armed && saysArmed;
+    return saysArmed && (armed || isStateLost());
+  }
+
+  /** Whether its saved state is missing, so that only its retained messages are known. */
+  boolean isStateLost() {
+    return isRestart && !isStateKnown;
+  }
+
+  /** Whether its last arming state was published after that time [µs of the run's clock]. */
+  boolean spokeAfter(long micros) {
+    return saidMicros > micros;
   }
 }

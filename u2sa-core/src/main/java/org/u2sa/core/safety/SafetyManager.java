@@ -23,6 +23,7 @@ import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.safety.FenceOrder;
 import org.u2sa.messages.safety.FenceOrderResult;
+import org.u2sa.messages.safety.FenceState;
 import org.u2sa.messages.safety.OperatorHeartbeat;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.PeriodicService;
@@ -35,7 +36,8 @@ import org.u2sa.service.inbox.StreamDelay;
 /**
  * Decides how the vehicle reacts to faults, by the failsafe matrix, and whether it may move at all
  * (arming). In: state, conditions, health, operator, power, actuators, goals, arming, manual-state,
- * emergency-stop, fence-orders. Out: failsafe, arming-state, emergency-stop, fence, fence-orders.
+ * emergency-stop, fence-orders, and restarted also the retained fence and failsafe. Out: failsafe,
+ * arming-state, emergency-stop, fence, fence-orders.
  *
  * <p>Failsafes act only while the vehicle is armed and no pilot flies it. The most severe cause
  * wins.
@@ -59,6 +61,8 @@ public final class SafetyManager extends PeriodicService {
   private final Settings<SafetyVariables> settings = settings(SafetyVariables.class);
   private final EmergencyLatch emergency;
   private String lastClear = ""; // of an emergency stop
+  private long lastClearMicros; // timestamp
+  private FailsafeState failsafeBefore = new FailsafeState(); // retained, of a lost predecessor
   private String clearBefore = ""; // the last one that the predecessor heard
   private final Conditions conditions = new Conditions();
   private final NamedServices named = new NamedServices(settings);
@@ -125,6 +129,10 @@ public final class SafetyManager extends PeriodicService {
     subscribe(Channels.ARMING, this::obey);
     subscribe(Channels.EMERGENCY_STOP, this::stopOrGo);
     subscribe(Channels.FENCE_ORDERS, this::onFenceOrder);
+    if (isRestart) { // what a predecessor said last, in case its saved state is lost
+      subscribe(Channels.FENCE, this::onFenceBefore);
+      subscribe(Channels.FAILSAFE, this::onFailsafeBefore);
+    }
   }
 
   /**
@@ -211,7 +219,15 @@ public final class SafetyManager extends PeriodicService {
   private void beginAfterPredecessor() {
     begun = true;
     beganMicros = isRestart || isSwap ? clock().micros() : Long.MIN_VALUE;
-    boolean wasStopped = isRestart && !lastClear.equals(clearBefore);
+    boolean isKnownClear =
+        predecessor.isStateLost()
+            ? predecessor.spokeAfter(lastClearMicros)
+            : lastClear.equals(clearBefore);
+    boolean wasStopped = isRestart && !lastClear.isEmpty() && !isKnownClear;
+    if (predecessor.isStateLost()) {
+      decision.resume(failsafeBefore, clock().micros());
+      trouble("restarted without a saved state: continues by retained messages");
+    }
     if (wasStopped) {
       log(LogLevelEnum.WARN, "disarmed: an emergency stop was cleared while no Safety Manager ran");
     }
@@ -317,6 +333,25 @@ public final class SafetyManager extends PeriodicService {
     publish(Channels.FENCE_ORDERS, result);
   }
 
+  private void onFenceBefore(FenceState before) {
+    if (begun || !predecessor.isStateLost()) {
+      return; // its own
+    }
+    try {
+      if (fenceWatch.resume(before)) {
+        log(LogLevelEnum.WARN, "fence of " + before.file().orElse("") + " still in force");
+      }
+    } catch (BadInputException e) {
+      trouble("the fence in force before the restart is lost: " + e.getMessage());
+    }
+  }
+
+  private void onFailsafeBefore(FailsafeState before) {
+    if (!begun) {
+      failsafeBefore = before;
+    }
+  }
+
   private void publishFence() {
     if (saidFence != fenceWatch.changes()) {
       saidFence = fenceWatch.changes();
@@ -333,7 +368,8 @@ public final class SafetyManager extends PeriodicService {
     }
     boolean changed = emergency.accept(message);
     if (!message.active()) {
-      lastClear = message.operator() + " " + message.timestamp().orElse(0L);
+      lastClearMicros = message.timestamp().orElse(0L);
+      lastClear = message.operator() + " " + lastClearMicros;
     }
     heedsEmergencyStops(emergency.identities());
     if (!message.active() && emergency.isStopped()) {

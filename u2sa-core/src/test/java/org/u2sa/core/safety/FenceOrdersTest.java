@@ -318,6 +318,19 @@ class FenceOrdersTest extends WatchedVehicle {
     assertThat(fence().fence()).contains(square(-40, 40));
   }
 
+  @Test
+  void restart_afterAnOrderThatIsLost_keepsTheFenceThatIsPublished() throws IOException {
+    configure(square(-50, 50));
+    SafetyManager manager = startArmedManager();
+    replace(square(-40, 40));
+    kit.loseState("SafetyManager");
+    kit.restart(manager, SafetyManager::new);
+    live(1.0);
+
+    assertThat(fence().fence()).contains(square(-40, 40));
+    assertThat(kit.latest(Channels.ARMING_STATE).orElseThrow().armed()).isTrue();
+  }
+
   private static String withRally(String xml, String... points) {
     StringBuilder rally = new StringBuilder();
     for (String point : points) {

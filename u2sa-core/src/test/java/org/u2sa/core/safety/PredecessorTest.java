@@ -71,6 +71,17 @@ class PredecessorTest {
     assertThat(none.wasHeard()).isTrue();
   }
 
+  /** As after a full disk: an aircraft must not be disarmed in the air. */
+  @Test
+  void see_armedWordsBeforeARestartWithoutSavedState_count() {
+    Predecessor lost = new Predecessor(START, true);
+    lost.see(armedAt(START), START);
+
+    assertThat(lost.wasArmed()).isTrue();
+    lost.end();
+    assertThat(lost.wasArmed()).isFalse();
+  }
+
   @Test
   void isAwaited_forHalfASecond_andNothingCountsAfterwards() {
     assertThat(predecessor.isAwaited(START + HALF_A_SECOND - 1)).isTrue();

@@ -167,6 +167,44 @@ class SafetyManagerRestartTest extends WatchedVehicle {
   }
 
   @Test
+  void restart_savedStateIsLostInAFailsafe_staysArmedAndInIt() {
+    SafetyManager before = startArmedManager();
+    kit.publish(Channels.EMERGENCY_STOP, stop("Ann 1"));
+    kit.publish(Channels.EMERGENCY_STOP, clear("Ann 1"));
+    live(0.2);
+    arm(true);
+    kit.publish(Channels.OPERATOR, new OperatorHeartbeat().operator("Ann"));
+    live(5.3);
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.RETURN);
+    before.kill();
+    kit.loseState("SafetyManager");
+    kit.forget();
+
+    restart(before);
+    live(4.0);
+
+    assertThat(kit.published(Channels.ARMING_STATE)).isNotEmpty().allMatch(ArmingState::armed);
+    assertThat(kit.published(Channels.FAILSAFE))
+        .isNotEmpty()
+        .allMatch(state -> state.action() == FailsafeAction.RETURN);
+    assertThat(failsafe().causes().get(0)).startsWith("operator link: \"Ann\" silent for ");
+  }
+
+  @Test
+  void restart_savedStateIsLostAndStoppedInItsAbsence_isDisarmed() {
+    SafetyManager before = startArmedManager();
+    before.kill();
+    kit.loseState("SafetyManager");
+    kit.advance(1.0);
+    kit.publish(Channels.EMERGENCY_STOP, stop("Ann 1"));
+    kit.publish(Channels.EMERGENCY_STOP, clear("Ann 1"));
+
+    restart(before);
+
+    assertThat(kit.latest(Channels.ARMING_STATE).orElseThrow().armed()).isFalse();
+  }
+
+  @Test
   void restart_repeatedlyBeforeTheDeadline_losesTheOperatorAfterOneMoreDeadline() {
     SafetyManager manager = startArmedManager();
     kit.publish(Channels.OPERATOR, new OperatorHeartbeat().operator("Ann"));

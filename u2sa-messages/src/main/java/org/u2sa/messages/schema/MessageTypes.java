@@ -44,7 +44,7 @@ public final class MessageTypes {
 
   /**
    * Those of {@link #discovered()} that can be loaded, for programs that must not fail because of
-   * an extension, such as one that stops a vehicle.
+   * an extension, whatever it throws, such as one that stops a vehicle.
    *
    * @param missing receives why the types of an extension are missing
    */
@@ -54,12 +54,18 @@ public final class MessageTypes {
     MessageTypes types = of(Collections.emptyList());
     boolean isMore = true;
     for (int faults = 0; isMore && faults < MAX_FAULTS; ) {
+      String who = "an extension";
       try {
         isMore = providers.hasNext();
-        types = isMore ? types.with(providers.next().messageTypes()) : types;
-      } catch (ServiceConfigurationError | LinkageError | IllegalArgumentException e) {
+        if (isMore) {
+          MessageTypeProvider provider = providers.next();
+          who = provider.getClass().getName();
+          types = types.with(provider.messageTypes());
+        }
+      } catch (Exception | Error e) { // whatever the extension's code throws
         faults++;
-        missing.accept("message types of an extension are missing: " + e.getMessage());
+        String why = e instanceof ServiceConfigurationError ? e.getMessage() : e.toString();
+        missing.accept("message types of " + who + " are missing: " + why);
       }
     }
     return types;

@@ -9,8 +9,8 @@ import java.net.URLClassLoader;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
-import java.util.ServiceConfigurationError;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -115,20 +115,65 @@ class MessageTypesTest {
   @Test
   void loadable_extensionThatIsMissing_leavesTheOthersAndSaysSo(@TempDir Path folder)
       throws IOException {
+    assertThatOthersRemain(folder, "com.example.Missing", "com.example.Missing");
+  }
+
+  @ParameterizedTest
+  @ValueSource(classes = {Unconfigured.class, Endless.class, Absent.class, WithoutAClass.class})
+  void loadable_extensionThatFails_leavesTheOthersAndSaysSo(
+      Class<? extends MessageTypeProvider> extension, @TempDir Path folder) throws IOException {
+    assertThatOthersRemain(folder, extension.getName(), extension.getName() + " are missing: ");
+  }
+
+  private static void assertThatOthersRemain(Path folder, String extension, String said)
+      throws IOException {
     Path services = Files.createDirectories(folder.resolve("META-INF/services"));
-    Files.writeString(
-        services.resolve(MessageTypeProvider.class.getName()), "com.example.Missing\n");
+    Files.writeString(services.resolve(MessageTypeProvider.class.getName()), extension + "\n");
     Thread thread = Thread.currentThread();
     ClassLoader before = thread.getContextClassLoader();
     List<String> missing = new ArrayList<>();
     try (URLClassLoader loader = new URLClassLoader(new URL[] {folder.toUri().toURL()}, before)) {
       thread.setContextClassLoader(loader);
 
-      assertThat(MessageTypes.loadable(missing::add).byName("EmergencyStop")).isPresent();
-      assertThat(missing).singleElement().asString().contains("com.example.Missing");
-      assertThatThrownBy(MessageTypes::discovered).isInstanceOf(ServiceConfigurationError.class);
+      MessageTypes loadable = MessageTypes.loadable(missing::add);
+      assertThat(loadable.byName("EmergencyStop")).isPresent();
+      assertThat(loadable.byName("Tide")).as("another extension").isPresent();
+      assertThat(missing).singleElement().asString().contains(said);
+      assertThatThrownBy(MessageTypes::discovered).isInstanceOf(Throwable.class);
     } finally {
       thread.setContextClassLoader(before);
+    }
+  }
+
+  /** An extension that throws an exception. */
+  public static final class Unconfigured implements MessageTypeProvider {
+    @Override
+    public Collection<MessageType<?>> messageTypes() {
+      throw new IllegalStateException("not configured");
+    }
+  }
+
+  /** An extension that throws an error. */
+  public static final class Endless implements MessageTypeProvider {
+    @Override
+    public Collection<MessageType<?>> messageTypes() {
+      throw new StackOverflowError();
+    }
+  }
+
+  /** An extension that returns nothing. */
+  public static final class Absent implements MessageTypeProvider {
+    @Override
+    public Collection<MessageType<?>> messageTypes() {
+      return null;
+    }
+  }
+
+  /** An extension without one of its libraries. */
+  public static final class WithoutAClass implements MessageTypeProvider {
+    @Override
+    public Collection<MessageType<?>> messageTypes() {
+      throw new NoClassDefFoundError("com/example/Missing");
     }
   }
 }
