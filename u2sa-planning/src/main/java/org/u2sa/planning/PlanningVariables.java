@@ -50,6 +50,10 @@ record PlanningVariables(
     @Variable(unit = "m", min = 0, ifAbsent = 0)
         @Description("Holding-circle radius; 0: hold in place.")
         double loiterRadius,
+    @Variable(ifAbsentText = "false")
+        @Description(
+            "Whether a vehicle that pauses holds where it has come to rest instead of where it was when it was told: true for vehicles that stand without drifting, such as ground vehicles.")
+        boolean holdAtRest,
     @Variable(unit = "s", min = 0, minExcluded = true, ifAbsent = 1)
         @Description("Maximum age of a state used for planning.")
         double staleAfter,

@@ -14,6 +14,8 @@ import org.u2sa.control.ControlSystem;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.mission.MissionAction;
+import org.u2sa.messages.mission.MissionOrder;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FailsafeState;
@@ -34,7 +36,8 @@ class HandDrivingTest {
         new RoverDrive(
             new KinematicRover(KinematicRover.differential(0.0), 0.0),
             RoverDrive.mission(directory, 0.5, CORNERS),
-            Map.of("LOOK AHEAD", 1.2, "LOOK AHEAD TIME", 1.2, "AT END", "HOLD"),
+            Map.of(
+                "LOOK AHEAD", 1.2, "LOOK AHEAD TIME", 1.2, "AT END", "HOLD", "HOLD AT REST", true),
             control,
             variables);
     drive.until(() -> false, 5.0);
@@ -184,6 +187,39 @@ class HandDrivingTest {
       assertThat(taken.active()).isTrue();
       assertThat(taken.takeovers()).isEqualTo(2);
     }
+  }
+
+  @Test
+  void pauseOrEnd_whileDriving_standsWhereItHasStoppedWithoutTurning() {
+    try (RoverDrive drive = differential()) {
+      pause(drive);
+      assertStopsWithoutTurning(drive);
+
+      order(drive, true, "Ann");
+      hold(drive, by("Ann").speed(-0.8), 3.0);
+      order(drive, false, "Ann");
+      assertStopsWithoutTurning(drive);
+    }
+  }
+
+  private static void pause(RoverDrive drive) {
+    drive.kit.publish(
+        Channels.MISSION,
+        new MissionOrder().requestId("p").operator("Ann").action(MissionAction.PAUSE));
+  }
+
+  private static void assertStopsWithoutTurning(RoverDrive drive) {
+    double heading = drive.rover.heading;
+    double fastest = Math.abs(speed(drive));
+    assertThat(fastest).isGreaterThan(0.3);
+    drive.until(() -> false, 3.0);
+    double northM = drive.rover.north;
+    double eastM = drive.rover.east;
+    for (int i = 0; i < 100; i++) {
+      drive.until(() -> false, 0.1);
+      assertThat(drive.rover.heading).isCloseTo(heading, within(Math.toRadians(10.0)));
+    }
+    assertThat(Math.hypot(drive.rover.north - northM, drive.rover.east - eastM)).isLessThan(0.05);
   }
 
   /** The speed that was commanded when the drive ended is long out of date. */
