@@ -39,7 +39,7 @@ public final class DifferentialPursuitControl extends GroundControl {
           @Description(
               "Share of a yaw-rate error that feedback corrects per second while turning in place; 0: no feedback.")
           double spotTurnFeedback,
-      @Variable(min = 1, max = 20, ifAbsent = 2)
+      @Variable(min = 1, max = 20, ifAbsent = 3.2)
           @Description(
               "Limit of a turn in place with feedback, as a multiple of the calibrated command at TURN RATE; more for wheels that scrub under load.")
           double spotTurnBoost,

@@ -42,6 +42,7 @@ class ReverseTest {
 
   @Test
   void control_measuredYawRateStaysAtZero_turnsWithTheLimitedPower() {
+    kit.with("SPOT TURN BOOST", 2.0);
     kit.start(DifferentialPursuitControl::new);
     go(Point.of(0.0, 5.0, 0.0), false, 0.0, 2.5);
 
@@ -54,7 +55,6 @@ class ReverseTest {
 
   @Test
   void control_reversesAfterATurnUnderLoad_goesStraight() {
-    kit.with("SPOT TURN BOOST", 4.0);
     kit.start(DifferentialPursuitControl::new);
     go(Point.of(0.0, 5.0, 0.0), false, 0.0, 2.5);
     assertThat(kit.percent("RIGHT MOTOR")).as("pushes").isGreaterThan(60.0);
