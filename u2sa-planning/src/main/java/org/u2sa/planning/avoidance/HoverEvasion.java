@@ -28,6 +28,8 @@ import org.u2sa.planning.seen.SeenWorld;
 final class HoverEvasion {
   private static final long LASTS_MICROS = 10 * Clock.MICROS_PER_SECOND;
   private static final long GOES_ON_MICROS = 2 * Clock.MICROS_PER_SECOND;
+  private static final long NEVER = Long.MIN_VALUE / 2;
+  private static final long DECIDES_EVERY_MICROS = Clock.MICROS_PER_SECOND / 5;
   private static final double IMMINENT = 0.5; // distance in radii of the clearance
 
   private final SeenWorld world;
@@ -36,8 +38,9 @@ final class HoverEvasion {
   private final Supplier<AvoidanceVariables> settings;
   private final Supplier<LineSettings> lines;
   private final BiConsumer<String, Boolean> say;
-  private Optional<Point> spot = Optional.empty(); // of the last evasion, on the plane
-  private long lastMicros = Long.MIN_VALUE / 2; // of the last evasion
+  private Choice last; // null: it has not evaded yet
+  private long decidedMicros = NEVER; // when it was chosen, unless the way was free since
+  private long lastMicros = NEVER; // of the last evasion
   private boolean isBraking;
 
   HoverEvasion(
@@ -86,13 +89,22 @@ final class HoverEvasion {
             traffic,
             situation.limits(),
             room,
-            (north, east) -> !fence.isForbidden(north, east, state),
+            fence.area(at, state),
             micros);
-    boolean goesOn = micros - lastMicros <= GOES_ON_MICROS;
-    Point velocity = Point.of(vehicle.northMps(), vehicle.eastMps(), 0.0);
+    boolean goesOn = last != null && micros - lastMicros <= GOES_ON_MICROS;
+    boolean isFresh = goesOn && micros - decidedMicros < DECIDES_EVERY_MICROS;
     Optional<Choice> chosen =
-        motions.choose(at, velocity, at.plus(way), goesOn ? spot : Optional.<Point>empty());
-    spot = chosen.isPresent() ? chosen.map(Choice::spot) : spot;
+        isFresh
+            ? Optional.of(motions.again(last, at))
+            : motions.choose(
+                at,
+                Point.of(vehicle.northMps(), vehicle.eastMps(), 0.0),
+                at.plus(way),
+                goesOn ? Optional.of(last.spot()) : Optional.<Point>empty());
+    if (!isFresh) {
+      decidedMicros = chosen.isPresent() ? micros : NEVER;
+    }
+    last = chosen.orElse(last);
     Optional<ArcChoice> choice = chosen.map(HoverEvasion::motion);
     choice.ifPresent(evasion -> tell(evasion, at, micros));
     return choice;

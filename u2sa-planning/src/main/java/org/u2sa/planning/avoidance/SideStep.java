@@ -8,6 +8,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.safety.FenceState;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
+import org.u2sa.planning.local.Area;
 import org.u2sa.planning.search.BodyDiscs;
 import org.u2sa.planning.seen.Mover;
 import org.u2sa.planning.seen.SeenWorld;
@@ -131,6 +132,7 @@ final class SideStep {
       Point at, Point to, Point traffic, StateInformation state, AvoidanceVariables now) {
     BodyDiscs body = now.body(true);
     double touchM = now.touchM(world.costs().frame().cellM());
+    Area allowed = fence.area(at, state);
     int steps = (int) Math.ceil(awayM(at, to) / CHECK_M);
     double leastM = awayM(at, traffic) - CHECK_M;
     for (int i = 1; i <= steps; i++) {
@@ -138,7 +140,7 @@ final class SideStep {
       double east = at.y() + (to.y() - at.y()) * i / steps;
       boolean isBlocked = world.costs().distanceM(north, east) - body.circleM() < touchM;
       boolean nears = Math.hypot(north - traffic.x(), east - traffic.y()) < leastM;
-      if (isBlocked || nears || fence.isForbidden(north, east, state)) {
+      if (isBlocked || nears || !allowed.contains(north, east)) {
         return false;
       }
     }

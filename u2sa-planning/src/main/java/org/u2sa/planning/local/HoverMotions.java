@@ -115,6 +115,11 @@ public final class HoverMotions {
     return Optional.of(best);
   }
 
+  /** The same spot from another position. */
+  public Choice again(Choice before, Point at) {
+    return new Choice(before.spot(), speedMps(at, before.spot()), before.distance());
+  }
+
   private List<Point> spots(Point middle) {
     List<Point> all = new ArrayList<>();
     for (int i = 0; i < DIRECTIONS; i++) {
