@@ -13,6 +13,8 @@ final class LateralGuidance {
   private static final double CREEPS_MPS =
       2.0; // ground speed at which turning the track takes long
   private static final double HEADWAY_MPS = 4.0; // possible ground speed with which tracks are held
+  private static final double WINDY = 0.5; // wind speed, in airspeeds, …
+  private static final double STORMY = 0.75; // … and from which only headway counts
   private static final double HEADING_S = 4.0; // twice the time constant of a turn to a heading
 
   private final double shortestM;
@@ -58,13 +60,18 @@ final class LateralGuidance {
   /**
    * Bank to the point [rad, right wing down positive], unlimited, against a wind that may be as
    * fast as the aircraft: the less headway is possible or made, the more by heading instead of
-   * track.
+   * track. In a wind of more than half the airspeed, headway is what is made towards the point: a
+   * track that leads away from it turns slowly, and to neither side.
    */
   double bankRad(FlightState state, double northM, double eastM, WindEstimate wind) {
     double course = StrictMath.atan2(eastM, northM);
     double speed = Math.max(SLOWEST_MPS, state.trueAirspeedMps());
     double possible = wind.headwayMps(course, speed) / HEADWAY_MPS;
-    double made = (state.groundSpeedMps() - CREEPS_MPS) / (SLOWEST_MPS - CREEPS_MPS);
+    double strong = Limit.within(0.0, (wind.speedMps() / speed - WINDY) / (STORMY - WINDY), 1.0);
+    double advance =
+        state.northMps() * StrictMath.cos(course) + state.eastMps() * StrictMath.sin(course);
+    double madeMps = state.groundSpeedMps() + strong * (advance - state.groundSpeedMps());
+    double made = (madeMps - CREEPS_MPS) / (SLOWEST_MPS - CREEPS_MPS);
     double share = Limit.within(0.0, Math.min(possible, made), 1.0);
     double byTrack = accelerationMps2(state, northM, eastM);
     if (share == 1.0) {

@@ -71,6 +71,17 @@ class HeadwayFlightTest {
     }
   }
 
+  /** Its track then leads away from the point, slowly and to neither side. */
+  @ParameterizedTest
+  @CsvSource({"20.0, 1", "22.0, 2", "22.0, 3", "24.0, 4"})
+  void fly_backAcrossAStrongWind_turnsAndGetsThere(double windMps, long seed) {
+    try (SmallAircraftFlight flight = flight(Wind.gusty(0.0, windMps, seed), 8.0)) {
+      assertThat(flight.flyTo(Point.of(400.0, 0.0, 60.0), 40.0, 200.0)).isTrue();
+      assertThat(flight.flyTo(Point.of(-300.0, -50.0, 60.0), 40.0, 200.0)).isTrue();
+      assertThat(flight.aircraft.isAground()).isFalse();
+    }
+  }
+
   @Test
   void fly_againstAWindFasterThanItsMaxSpeed_pointsIntoItAndIsNotBlownAside() {
     try (SmallAircraftFlight flight = flight(Wind.gusty(0.0, 45.0, 5), 2.0)) {
