@@ -24,6 +24,7 @@ import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.safety.FenceState;
+import org.u2sa.messages.shape.Cylinder;
 import org.u2sa.messages.shape.MovingSphere;
 import org.u2sa.messages.shape.Polygon;
 import org.u2sa.planning.guidance.Leg;
@@ -48,9 +49,15 @@ class HoverTrafficTest extends PlannedVehicle {
   private double headingRad;
   private double stopsS = Double.POSITIVE_INFINITY; // when the traffic stops
   private final List<ObjectDescription> objects = new ArrayList<>(); // that stand
+  private final List<Double> beside = new ArrayList<>(); // distances from them [m]
 
   private void start(double clearanceM) {
-    kit.with("PLANNER", "GRID").with("VERTICAL CLEARANCE", clearanceM).with("EVASION CLIMB", 2.0);
+    start(clearanceM, 2.0);
+  }
+
+  private void start(double clearanceM, double climbMps) {
+    kit.with("PLANNER", "GRID").with("VERTICAL CLEARANCE", clearanceM);
+    kit.with("EVASION CLIMB", climbMps);
     kit.with("TRAFFIC CLEARANCE", 5.0).with("TRAFFIC HORIZON", 20.0).with("CLEARANCE", 3.0);
     kit.with("INFLATION", 6.0).with("PLANNING CELL", 1.0).with("PLANNING SPAN", 200.0);
     kit.with("LOOK AHEAD", 8.0).with("PLANNED SPEED", 8.0).with("REACTION TIME", 0.5);
@@ -83,6 +90,8 @@ class HoverTrafficTest extends PlannedVehicle {
     nearestM = Math.min(nearestM, at.minus(other).distance());
     farthestM = Math.max(farthestM, at.minus(held).distance());
     mostEastM = Math.max(mostEastM, at.y());
+    objects.forEach(
+        each -> beside.add(Math.hypot(at.x() - each.center().x(), at.y() - each.center().y())));
   }
 
   private Optional<NavigationPoint> newest() {
@@ -180,6 +189,26 @@ class HoverTrafficTest extends PlannedVehicle {
     }
     assertThat(nearestM).isGreaterThan(NEAREST_M);
     assertThat(at.minus(held).distance()).isLessThan(2.5);
+  }
+
+  /** Spots behind a tower, or in it, are none. */
+  @ParameterizedTest
+  @CsvSource({"0, 5, 2", "5, 0, 2", "0, -5, 2", "0, 5, 0", "-5, 0, 0", "5, 1, 0"})
+  void pause_trafficComesBetweenTowers_keepsAwayFromThem(
+      double north, double east, double climbMps) {
+    start(5.0, climbMps);
+    for (int i = 0; i < 4; i++) {
+      double bearing = 0.5 * Math.PI * i + 0.4;
+      Cylinder tower = new Cylinder().radius(6.0).height(200.0);
+      tower.uid("tower" + i).objectType("tower").referenceFrame(ReferenceFrame.LOCAL_NED);
+      tower.x(16.0 * Math.cos(bearing)).y(16.0 * Math.sin(bearing)).z(-UP_M);
+      objects.add(tower);
+    }
+    lead(Point.ORIGIN, 0.5);
+    held = at;
+    pause();
+    hover(Point.of(north, east, 0.0));
+    assertThat(beside).isNotEmpty().allMatch(awayM -> awayM > 6.0 + 1.0);
   }
 
   @ParameterizedTest

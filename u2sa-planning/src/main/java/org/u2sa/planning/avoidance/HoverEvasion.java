@@ -86,6 +86,7 @@ final class HoverEvasion {
         new HoverMotions(
             world.costs(),
             situation.body().circleM(),
+            now.clearance(),
             traffic,
             situation.limits(),
             room,

@@ -45,13 +45,14 @@ public final class HoverMotions {
 
   /**
    * @param room minimum distance, and a little of the mean
-   * @param endDownM altitude at the end: as far as there is room
+   * @param end position at the end: as far as there is room
    */
-  private record Outcome(boolean isFree, double distance, double room, double endDownM) {}
+  private record Outcome(boolean isFree, double distance, double room, Point end) {}
 
   private final CostGrid costs;
   private final double circleM;
   private final List<Mover> traffic;
+  private final double keptM; // from static obstacles
   private final MotionLimits limits;
   private final Optional<VerticalRoom> room;
   private final Area allowed;
@@ -59,12 +60,14 @@ public final class HoverMotions {
 
   /**
    * @param circleM radius of the vehicle [m]
+   * @param clearanceM distance to keep from static obstacles [m]
    * @param room room above and below; empty if it stays at its altitude
    * @param allowed area inside the fence
    */
   public HoverMotions(
       CostGrid costs,
       double circleM,
+      double clearanceM,
       List<Mover> traffic,
       MotionLimits limits,
       Optional<VerticalRoom> room,
@@ -74,6 +77,7 @@ public final class HoverMotions {
     this.circleM = circleM;
     this.traffic = traffic;
     this.limits = limits;
+    keptM = Math.max(limits.touchM(), clearanceM);
     this.room = room;
     this.allowed = allowed;
     this.micros = micros;
@@ -106,8 +110,7 @@ public final class HoverMotions {
       boolean isBetter =
           outcome.isFree() ? awayM < leastM : leastM == Double.POSITIVE_INFINITY && room > widest;
       if (isBetter) {
-        Point end = Point.of(spot.x(), spot.y(), outcome.endDownM());
-        best = new Choice(end, speedMps(at, spot), outcome.distance());
+        best = new Choice(outcome.end(), speedMps(at, outcome.end()), outcome.distance());
         widest = room;
         leastM = outcome.isFree() ? awayM : leastM;
       }
@@ -194,7 +197,8 @@ public final class HoverMotions {
         isFree &= kept >= least[i];
       }
     }
-    return new Outcome(isFree, distance, distance + MEAN_SHARE * sum / looks, down);
+    return new Outcome(
+        isFree, distance, distance + MEAN_SHARE * sum / looks, Point.of(north, east, down));
   }
 
   /** Speed on the way from a position to a spot, at which it stops, and stays inside the fence. */
@@ -221,7 +225,7 @@ public final class HoverMotions {
   private boolean isBlocked(double north, double east, double nextNorth, double nextEast) {
     double nowM = costs.distanceM(north, east) - circleM;
     double nextM = costs.distanceM(nextNorth, nextEast) - circleM;
-    return nextM < limits.touchM() && nextM < nowM;
+    return nextM < keptM && nextM < nowM;
   }
 
   /** Speed, at most as given, from which it stops inside the fence [m/s]. */
