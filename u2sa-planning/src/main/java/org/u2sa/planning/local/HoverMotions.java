@@ -25,6 +25,7 @@ public final class HoverMotions {
   private static final double GROWTH = 0.08; // uncertainty per distance travelled by traffic
   private static final double CLOSER = 0.02; // smaller approaches inside a spheroid are free
   private static final double FENCE_BRAKING_MPS2 = 1.0; // as the Safety Manager assumes by default
+  private static final double FENCE_SHARE = 1.3; // of the way to stop, for wind and delays
   private static final double FENCE_REACTION_S = 1.0; // likewise
   private static final double SLOWER = 0.8;
   private static final double STANDS_SHARE = 0.1;
@@ -235,7 +236,8 @@ public final class HoverMotions {
     }
     for (double share = 1.0; share > STANDS_SHARE; share *= SLOWER) {
       double slower = share * mps;
-      double stopsM = slower * FENCE_REACTION_S + slower * slower / (2.0 * FENCE_BRAKING_MPS2);
+      double stopsM =
+          FENCE_SHARE * (slower * FENCE_REACTION_S + slower * slower / (2.0 * FENCE_BRAKING_MPS2));
       double ahead = (stopsM + slower * STEP_S) / mps;
       if (allowed.contains(north + ahead * vNorth, east + ahead * vEast)) {
         return share * mps;
