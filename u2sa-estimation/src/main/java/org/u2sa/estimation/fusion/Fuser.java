@@ -3,6 +3,7 @@ package org.u2sa.estimation.fusion;
 import org.u2sa.estimation.measurement.Measurement;
 import org.u2sa.estimation.measurement.RepeatedSightings;
 import org.u2sa.estimation.measurement.SensedQuantity;
+import org.u2sa.messages.frame.Gravity;
 
 /**
  * Fuses one measurement into a state: predicts the state, initialises unknown quantities, and
@@ -11,6 +12,8 @@ import org.u2sa.estimation.measurement.SensedQuantity;
 final class Fuser {
   private static final double MICROS = 1e6;
   private static final double UNUSED_INERTIAL_SIGMA = 2.0; // m/s² mistaken for gravity
+  private static final double LEVELLING_SIGMA = 1.0; // m/s² likewise, if the heading is known
+  private static final double SHOWN_FROM_MPS2 = 2.0; // acceleration that a force's length shows
   private static final double TRACK_SIGMA_RAD = 0.2; // sigma of the course used as heading
   private static final double TRACK_AFTER_S = 3.0;
   private static final double FLUID_FRESH_S = 2.0;
@@ -153,9 +156,9 @@ final class Fuser {
       slopes.widen(s, m, linear, s.trust[trust.of(s, source) + SourceTrust.INTERVAL]);
     }
     if (quantity == SensedQuantity.SPECIFIC_FORCE) {
-      double repeats = repeats(FilterTuning.ACCELERATION_MEMORY_S, s.x[FilterState.INPUT_INTERVAL]);
+      double own = accelerationVariance(s);
       for (int i = 0; i < linear.rows; i++) {
-        linear.variance[i] += UNUSED_INERTIAL_SIGMA * UNUSED_INERTIAL_SIGMA * repeats;
+        linear.variance[i] += own;
       }
     }
     if (quantity == SensedQuantity.LOCAL_PLACE || quantity == SensedQuantity.LOCAL_DOWN) {
@@ -343,6 +346,25 @@ final class Fuser {
     }
     count(s, at, SourceTrust.USED);
     used(s, m, quantity);
+  }
+
+  /**
+   * Variance of the vehicle's own acceleration in a force that serves for levelling [m²/s⁴]. Once
+   * the heading is known, acceleration lasts only as far as it makes the force longer than gravity:
+   * otherwise levelling would be too slow for a board that turns.
+   */
+  private static double accelerationVariance(FilterState s) {
+    double repeats = repeats(FilterTuning.ACCELERATION_MEMORY_S, s.x[FilterState.INPUT_INTERVAL]);
+    if (!s.hasHeading) {
+      return UNUSED_INERTIAL_SIGMA * UNUSED_INERTIAL_SIGMA * repeats;
+    }
+    double square = -Gravity.STANDARD_MPS2 * Gravity.STANDARD_MPS2;
+    for (int i = 0; i < 3; i++) {
+      double force = s.x[FilterState.FORCE + i] - s.x[FilterState.BF + i];
+      square += force * force;
+    }
+    double shown = Math.max(0.0, square - SHOWN_FROM_MPS2 * SHOWN_FROM_MPS2);
+    return LEVELLING_SIGMA * LEVELLING_SIGMA + shown * repeats;
   }
 
   /**
