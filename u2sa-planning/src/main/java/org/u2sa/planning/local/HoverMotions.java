@@ -182,7 +182,9 @@ public final class HoverMotions {
       vEast *= slower;
       double nextNorth = north + vNorth * STEP_S;
       double nextEast = east + vEast * STEP_S;
-      if (isBlocked(north, east, nextNorth, nextEast)) {
+      boolean hits =
+          !isWanted && room.isPresent() && isNewlyBlocked(north, east, nextNorth, nextEast, down);
+      if (hits || isBlocked(north, east, nextNorth, nextEast)) {
         vNorth = 0.0;
         vEast = 0.0;
       } else {
@@ -227,6 +229,14 @@ public final class HoverMotions {
     double nowM = costs.distanceM(north, east) - circleM;
     double nextM = costs.distanceM(nextNorth, nextEast) - circleM;
     return nextM < keptM && nextM < nowM;
+  }
+
+  /** Whether a level step leads into rising ground, or an obstacle at another altitude. */
+  private boolean isNewlyBlocked(
+      double north, double east, double nextNorth, double nextEast, double down) {
+    VerticalRoom free = room.orElseThrow();
+    return free.isBlocked(new Pose(nextNorth, nextEast, 0.0), down)
+        && !free.isBlocked(new Pose(north, east, 0.0), down);
   }
 
   /** Speed, at most as given, from which it stops inside the fence [m/s]. */
