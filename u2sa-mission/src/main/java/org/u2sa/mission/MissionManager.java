@@ -1,9 +1,7 @@
 package org.u2sa.mission;
 
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import org.u2sa.interfaces.BadInputException;
@@ -16,9 +14,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
-import org.u2sa.messages.goal.GoalResult;
 import org.u2sa.messages.goal.Waypoint;
-import org.u2sa.messages.mission.GoalCommand;
 import org.u2sa.messages.mission.MissionOrder;
 import org.u2sa.messages.mission.MissionRequest;
 import org.u2sa.messages.safety.ArmingState;
@@ -27,12 +23,13 @@ import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.safety.ManualState;
 import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.mission.returning.HomeDistance;
+import org.u2sa.mission.returning.ReturnPlaces;
 import org.u2sa.service.FirstFailsafe;
 import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 import org.u2sa.service.handover.HandOver;
-import org.u2sa.service.inbox.ObeyedOrders;
 
 /**
  * Manages the mission's goals and publishes the current ones (thesis 3.2.3.2). In: goal-reports,
@@ -61,11 +58,8 @@ public final class MissionManager extends PeriodicService {
   private static final String DIGEST = "MISSION DIGEST"; // in the hand-over
   private static final long MANUAL_NEWS_MICROS =
       5 * Clock.MICROS_PER_SECOND; // older: from another run
-  private static final String OBEYED = "OBEYED COMMANDS AND UPDATES";
   private static final double LIMITS_CHECKED_HZ = 5.0;
-  private static final long REPEAT_EVERY_MICROS = Clock.MICROS_PER_SECOND;
   private static final int MAX_WAITED = 3; // repetitions, one a second
-  private static final long ALWAYS_LOGGED = 100; // later ones at 128, 256, 512…
 
   private final Settings<MissionVariables> settings = settings(MissionVariables.class);
   private final Settings<Defaults> defaults = settings(Defaults.class);
@@ -73,10 +67,16 @@ public final class MissionManager extends PeriodicService {
   private final FailsafeMissions failsafes;
   private final MissionFiles files;
   private final MissionOrders orders;
-  private final ObeyedOrders obeyed = new ObeyedOrders(); // goal commands and updates
   private final MissionRun run = new MissionRun(clock(), this::thresholdM);
   private final TimeLimits limits = new TimeLimits(run, this);
-  private final Map<String, Long> reportedMicros = new HashMap<>(); // latest report by goal
+  private final GoalMessages messages =
+      new GoalMessages(
+          run,
+          this,
+          this::lateness,
+          this::passTime,
+          this::publishGoals,
+          () -> publish(Channels.GOALS, goalList()));
   private final DrivingByHand byHand;
   private final Resumable resumable;
   private final MessageTypes messageTypes;
@@ -85,8 +85,6 @@ public final class MissionManager extends PeriodicService {
   private Optional<Waypoint> home = Optional.empty();
   private boolean beginsAnew = true; // false after a takeover
   private boolean isStateLost; // restarted without the saved state, as after a full disk
-  private long repeatDueMicros; // of the current goals, for a planner unaware of them
-  private long ignored; // reports and updates
   private int waited; // failsafes for a position, after a restart
 
   /**
@@ -124,8 +122,8 @@ public final class MissionManager extends PeriodicService {
     registerPublisher(Channels.GOALS);
     registerPublisher(Channels.MISSION);
     subscribe(Channels.GOAL_REPORTS, this::onReport);
-    subscribe(Channels.GOAL_UPDATES, this::update);
-    subscribe(Channels.GOAL_COMMANDS, this::changeTo);
+    subscribe(Channels.GOAL_UPDATES, messages::update);
+    subscribe(Channels.GOAL_COMMANDS, messages::changeTo);
     subscribe(Channels.MISSION, this::onMission);
     // Before failsafes: after a restart, the retained fence must be known when RETURN arrives.
     subscribe(Channels.FENCE, returnPlaces::see);
@@ -196,7 +194,7 @@ public final class MissionManager extends PeriodicService {
 
   private void begin(GoalSequence mission) {
     run.progress().begin(mission);
-    reportedMicros.clear();
+    messages.beginMission();
   }
 
   private void startMission() {
@@ -218,7 +216,7 @@ public final class MissionManager extends PeriodicService {
     limits.handOver(state);
     byHand.handOver(state);
     orders.handOver(state);
-    state.texts(OBEYED, obeyed.identities());
+    messages.handOver(state);
     run.progress().handOver(state);
   }
 
@@ -227,7 +225,7 @@ public final class MissionManager extends PeriodicService {
     isStateLost = false;
     byHand.takeOver(state);
     orders.takeOver(state);
-    obeyed.takeOver(state.texts(OBEYED));
+    messages.takeOver(state);
     boolean isItsFile =
         state.text(MissionVariables.MISSION).filter(settings.get().mission()::equals).isPresent();
     // a re-executed recording has a copy elsewhere
@@ -355,100 +353,10 @@ public final class MissionManager extends PeriodicService {
   private void onReport(GoalInformation goal) {
     passTime();
     if (goal.completed() || goal.abandoned()) {
-      finish(goal);
+      messages.finish(goal);
     } else {
       unexpected(goal); // already pursued: no consequences
     }
-  }
-
-  private void finish(GoalInformation goal) {
-    String uid = goal.uid();
-    GoalResult result = goal.completed() ? GoalResult.DONE : GoalResult.FAILED;
-    boolean current = run.progress().pursued().currentNames().contains(uid);
-    boolean known = run.progress().pursued().knows(uid); // others' times are not kept
-    if (!known
-        || isRepeated(goal)
-        || !run.progress()
-            .finish(uid, result, Optional.of(goal), "abandoned by the planner", run.micros())) {
-      String what = current ? "has already arrived" : known ? "is not current" : "is not known";
-      ignore("report of goal \"" + uid + "\" ignored: it " + what);
-      if (known) {
-        repeatGoals();
-      }
-      return;
-    }
-    if (goal.completed()) {
-      log("goal \"" + uid + "\" completed");
-    } else {
-      String why = goal.reason().map(text -> ": " + text).orElse("");
-      log(LogLevelEnum.WARN, "goal \"" + uid + "\" abandoned by the planner" + why);
-    }
-    publishGoals();
-  }
-
-  /** Logs rejected messages from others, rate-limited. */
-  private void ignore(String what) {
-    ignored++;
-    if (ignored <= ALWAYS_LOGGED || Long.bitCount(ignored) == 1) {
-      log(LogLevelEnum.WARN, what + (ignored <= ALWAYS_LOGGED ? "" : " (" + ignored + " so far)"));
-    }
-  }
-
-  private void update(GoalInformation goal) {
-    Optional<String> late = lateness(goal);
-    if (late.isPresent()) {
-      ignore("update of goal \"" + goal.uid() + "\" refused: " + late.get());
-      return;
-    }
-    if (!obeyed.add("", goal)) {
-      ignore("update of goal \"" + goal.uid() + "\" ignored: it has already arrived");
-      return;
-    }
-    GoalSequence updated = run.progress().knowing(goal.uid());
-    if (!updated.book.hasRoomForUpdate(goal)) {
-      ignore(
-          "update of goal \"" + goal.uid() + "\" refused: the goals would be too long to publish");
-      return;
-    }
-    Optional<String> lack = updated.book.lackAfter(goal);
-    if (lack.isPresent()) {
-      ignore("update of goal \"" + goal.uid() + "\" refused: it " + lack.get());
-      return;
-    }
-    if (updated.update(goal)) {
-      log("goal \"" + goal.uid() + "\" updated");
-    } else {
-      String fate = "it is not pursued until another goal's next names it, or it is commanded";
-      log(LogLevelEnum.WARN, "goal \"" + goal.uid() + "\" added; " + fate);
-    }
-    publishGoals();
-  }
-
-  private void changeTo(GoalCommand command) {
-    String uid = command.uid();
-    Optional<String> late = lateness(command);
-    if (late.isPresent()) {
-      log(LogLevelEnum.WARN, "command to change to goal \"" + uid + "\" rejected: " + late.get());
-      return;
-    }
-    if (!obeyed.add("", command)) {
-      log(LogLevelEnum.WARN, "command to change to goal \"" + uid + "\" ignored: it came twice");
-      return;
-    }
-    if (!run.progress().pursued().knows(uid)) {
-      log(LogLevelEnum.WARN, "command to change to goal \"" + uid + "\" rejected: unknown");
-      return;
-    }
-    if (run.objection().isPresent()) {
-      log(
-          LogLevelEnum.WARN,
-          "command to change to goal \"" + uid + "\" rejected: " + run.objection().get());
-      return;
-    }
-    passTime();
-    run.progress().changeTo(uid);
-    log("changing to goal \"" + uid + "\" on command");
-    publishGoals();
   }
 
   private void publishGoals() {
@@ -482,30 +390,5 @@ public final class MissionManager extends PeriodicService {
     }
     List<String> faults = files.faults();
     return faults.isEmpty() ? list : list.fileFaults(faults);
-  }
-
-  /**
-   * Repeats the current goals to a planner that pursues another goal and may have missed them.
-   * Rate-limited, so that a permanent disagreement does not cause a flood; planners repeat their
-   * reports.
-   */
-  private void repeatGoals() {
-    long now = run.micros();
-    if (now >= repeatDueMicros) {
-      repeatDueMicros = now + REPEAT_EVERY_MICROS;
-      publish(Channels.GOALS, goalList());
-    }
-  }
-
-  /**
-   * Whether a report with this goal and time has already arrived: duplicated by the network, or
-   * repeated by a planner until answered. In a loop each would count as another lap. False without
-   * a time.
-   */
-  private boolean isRepeated(GoalInformation report) {
-    return report.timestamp().isPresent()
-        && Objects.equals(
-            reportedMicros.put(report.uid(), report.timestamp().getAsLong()),
-            report.timestamp().getAsLong());
   }
 }

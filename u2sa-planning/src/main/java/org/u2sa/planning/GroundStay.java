@@ -15,6 +15,7 @@ import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.goal.TakeOff;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.planning.flight.FlightVariables;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.service.handover.HandOver;

@@ -12,6 +12,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.PayloadDrop;
 import org.u2sa.planning.avoidance.Avoidance;
+import org.u2sa.planning.flight.FlightVariables;
 import org.u2sa.planning.guidance.AirMass;
 import org.u2sa.planning.guidance.LineGuidance;
 import org.u2sa.planning.guidance.LineSettings;

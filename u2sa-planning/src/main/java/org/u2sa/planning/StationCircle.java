@@ -13,6 +13,7 @@ import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.planning.avoidance.Avoidance;
+import org.u2sa.planning.flight.FlightVariables;
 import org.u2sa.planning.guidance.Leg;
 import org.u2sa.planning.guidance.LineSettings;
 import org.u2sa.planning.guidance.LoiterCircle;

@@ -9,6 +9,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.Landing;
 import org.u2sa.planning.avoidance.Avoidance;
+import org.u2sa.planning.flight.FlightVariables;
 import org.u2sa.planning.guidance.Leg;
 import org.u2sa.planning.guidance.LineGuidance;
 import org.u2sa.planning.guidance.LineSettings;

@@ -16,6 +16,7 @@ import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.TakeOff;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.planning.flight.FlightVariables;
 import org.u2sa.planning.guidance.Vehicle;
 
 class GroundStayTest {

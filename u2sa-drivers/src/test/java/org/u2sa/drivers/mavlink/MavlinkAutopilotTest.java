@@ -3,7 +3,6 @@ package org.u2sa.drivers.mavlink;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import io.dronefleet.mavlink.common.Attitude;
 import io.dronefleet.mavlink.common.CommandLong;
 import io.dronefleet.mavlink.common.GlobalPositionInt;
 import io.dronefleet.mavlink.common.GpsFixType;
@@ -14,86 +13,19 @@ import io.dronefleet.mavlink.common.SetAttitudeTarget;
 import io.dronefleet.mavlink.common.SetPositionTargetLocalNed;
 import io.dronefleet.mavlink.common.Statustext;
 import io.dronefleet.mavlink.minimal.Heartbeat;
-import io.dronefleet.mavlink.minimal.MavAutopilot;
 import io.dronefleet.mavlink.minimal.MavState;
-import io.dronefleet.mavlink.minimal.MavType;
-import io.dronefleet.mavlink.util.EnumValue;
 import java.math.BigInteger;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
-import java.util.TreeMap;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.u2sa.drivers.link.MemoryLink;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.mavlink.MavlinkStream;
 import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.contract.HealthReport;
-import org.u2sa.messages.safety.EmergencyStop;
-import org.u2sa.testkit.ServiceKit;
 
 /** An autopilot in simulated time; {@link PymavlinkTest} is the outside judge of the bytes. */
-class MavlinkAutopilotTest {
-  private final ServiceKit kit = new ServiceKit();
-  private final MemoryLink link = new MemoryLink();
-  private final MavlinkStream vehicle = new MavlinkStream(7, 1);
-  private final List<Object> heard = new ArrayList<>(); // by the vehicle
-  private boolean speaks = true;
-  private MavlinkAutopilot service;
-
-  @AfterEach
-  void end() {
-    kit.close();
-  }
-
-  private void start() {
-    link.with(this::hear);
-    service = kit.start(context -> new MavlinkAutopilot(context, link));
-    live(1.0);
-  }
-
-  private void hear(byte[] bytes) {
-    vehicle.accept(bytes, bytes.length, each -> heard.add(each.payload()));
-  }
-
-  private void say(Object message) {
-    link.fromDevice(vehicle.encode(message));
-  }
-
-  /** Lets time pass, with heartbeats twice a second. */
-  private void live(double seconds) {
-    for (double s = 0.0; s < seconds - 1.0e-9; s += 0.5) {
-      if (speaks) {
-        say(heartbeat(MavState.MAV_STATE_ACTIVE));
-      }
-      kit.advance(Math.min(0.5, seconds - s));
-    }
-  }
-
-  private static Heartbeat heartbeat(MavState state) {
-    return Heartbeat.builder()
-        .type(MavType.MAV_TYPE_GROUND_ROVER)
-        .autopilot(MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA)
-        .baseMode(EnumValue.create(129))
-        .systemStatus(state)
-        .mavlinkVersion(3)
-        .build();
-  }
-
-  private static Attitude attitude(double pitch, double yaw) {
-    return Attitude.builder()
-        .roll(0.1f)
-        .pitch((float) pitch)
-        .yaw((float) yaw)
-        .rollspeed(0.01f)
-        .pitchspeed(0.02f)
-        .yawspeed(0.03f)
-        .build();
-  }
+class MavlinkAutopilotTest extends SimulatedAutopilot {
 
   private static GlobalPositionInt position(int latitude) {
     return GlobalPositionInt.builder()
@@ -104,14 +36,6 @@ class MavlinkAutopilotTest {
         .vy(200)
         .vz(50)
         .build();
-  }
-
-  private void command(String actuator, double percent) {
-    command(actuator, percent, 0.5);
-  }
-
-  private void command(String actuator, double percent, double expiryS) {
-    kit.publish(Channels.ACTUATION, PercentageCommand.of(actuator, percent).expiry(expiryS));
   }
 
   /** Commands at 10 Hz. */
@@ -128,26 +52,6 @@ class MavlinkAutopilotTest {
       say(attitude(0.0, yaw));
       live(0.1);
     }
-  }
-
-  private <T> List<T> heard(Class<T> type) {
-    List<T> all = new ArrayList<>();
-    heard.stream().filter(type::isInstance).map(type::cast).forEach(all::add);
-    return all;
-  }
-
-  private <T> T last(Class<T> type) {
-    List<T> all = heard(type);
-    assertThat(all).as(type.getSimpleName()).isNotEmpty();
-    return all.get(all.size() - 1);
-  }
-
-  /** The newest with that number. */
-  private StateInformation state(StateField field) {
-    return kit.published(Channels.SENSED_STATE).stream()
-        .filter(state -> state.number(field).isPresent())
-        .reduce((first, second) -> second)
-        .orElseThrow();
   }
 
   private boolean hasPosition() {
@@ -291,212 +195,6 @@ class MavlinkAutopilotTest {
     assertThat(lastError()).contains("commands wait").contains("ATTITUDE");
   }
 
-  private void rc() {
-    kit.with("COMMANDS", "rc")
-        .with("CHANNEL 1 ACTUATOR", "STEERING")
-        .with("CHANNEL 3 ACTUATOR", "THROTTLE")
-        .with("CHANNEL 3 ONE WAY", true);
-    start();
-  }
-
-  @Test
-  void swap_commanded_theSuccessorRenewsTheSameCommandAndNobodySaysNeutral() {
-    rc();
-    command("STEERING", 25.0, 3.0);
-    command("THROTTLE", 25.0, 3.0);
-    kit.advance(0.2);
-    RcChannelsOverride before = last(RcChannelsOverride.class);
-    live(swap(), 2.0);
-
-    assertThat(link.isClosed()).isTrue();
-    assertThat(heard(RcChannelsOverride.class)).isNotEmpty().containsOnly(before);
-  }
-
-  /** The link of a service that takes this one's place; the vehicle hears it as before. */
-  private MemoryLink successorsLink() {
-    heard.clear();
-    return new MemoryLink().with(this::hear);
-  }
-
-  private MemoryLink swap() {
-    MemoryLink again = successorsLink();
-    kit.swap(service, context -> new MavlinkAutopilot(context, again));
-    return again;
-  }
-
-  private MemoryLink restart() {
-    return restart(successorsLink());
-  }
-
-  private MemoryLink restart(MemoryLink again) {
-    kit.restart(
-        service,
-        context -> {
-          heard.clear(); // what the first one said at its end
-          return new MavlinkAutopilot(context, again);
-        });
-    return again;
-  }
-
-  private void stop() {
-    kit.publish(
-        Channels.EMERGENCY_STOP,
-        new EmergencyStop().operator("the test").reason("test").active(true).stopId("a"));
-  }
-
-  /** Lets time pass with heartbeats to a successor's link. */
-  private void live(MemoryLink to, double seconds) {
-    for (double s = 0.0; s < seconds - 1.0e-9; s += 0.1) {
-      to.fromDevice(vehicle.encode(heartbeat(MavState.MAV_STATE_ACTIVE)));
-      kit.advance(0.1);
-    }
-  }
-
-  /** The steering pulses that the vehicle heard, without repetitions. */
-  private List<Integer> steering() {
-    List<Integer> all = new ArrayList<>();
-    for (RcChannelsOverride each : heard(RcChannelsOverride.class)) {
-      if (all.isEmpty() || all.get(all.size() - 1) != each.chan1Raw()) {
-        all.add(each.chan1Raw());
-      }
-    }
-    return all;
-  }
-
-  private long steeringCount(int pulse) {
-    return heard(RcChannelsOverride.class).stream().filter(e -> e.chan1Raw() == pulse).count();
-  }
-
-  @Test
-  void swap_stoppedBeforeTheNextHeartbeat_isNeutralForItsTimeThenGivenBack() {
-    rc();
-    command("STEERING", 80.0);
-    kit.advance(0.2);
-    MemoryLink again = swap();
-    stop();
-    kit.advance(0.95); // more than what is left of the command and of the neutral time
-    assertThat(heard(RcChannelsOverride.class)).as("the autopilot is not yet known").isEmpty();
-    live(again, 0.6);
-    assertThat(steering()).containsExactly(1500);
-    live(again, 2.0);
-
-    assertThat(steering()).containsExactly(1500, 0);
-    assertThat(steeringCount(1500)).as("a second, each third step").isBetween(14L, 18L);
-    assertThat(steeringCount(0)).isEqualTo(3);
-  }
-
-  @Test
-  void swap_commandsEndMeanwhile_isNeutralThenGivenBack() {
-    rc();
-    command("STEERING", 80.0);
-    kit.advance(0.2);
-    MemoryLink again = swap();
-    kit.advance(2.5);
-    live(again, 2.5);
-
-    assertThat(steering()).containsExactly(1500, 0);
-  }
-
-  @Test
-  void swap_neverCommanded_isSilent() {
-    rc();
-    MemoryLink again = swap();
-    stop();
-    live(again, 2.5);
-
-    assertThat(heard(RcChannelsOverride.class)).isEmpty();
-  }
-
-  @Test
-  void swap_targetConfigured_saysNoNeutralBeforeTheHeartbeatButStopsAtOnce() {
-    kit.with("AUTOPILOT SYSTEM", 7);
-    rc();
-    command("STEERING", 80.0, 5.0);
-    kit.advance(0.2);
-    MemoryLink again = swap();
-    kit.advance(0.9);
-    assertThat(heard(RcChannelsOverride.class)).as("the last command still holds").isEmpty();
-    stop();
-
-    assertThat(steering()).containsExactly(1500);
-  }
-
-  @Test
-  void swap_targetConfiguredAndNoHeartbeat_isNeutralAfterTheTimeout() {
-    kit.with("AUTOPILOT SYSTEM", 7);
-    rc();
-    command("STEERING", 80.0, 20.0);
-    kit.advance(0.2);
-    MemoryLink again = swap();
-    kit.advance(6.0);
-
-    assertThat(steering()).containsExactly(1500, 0);
-  }
-
-  @Test
-  void restart_stopped_isNeutralForItsTimeThenGivenBack() {
-    rc();
-    MemoryLink again = restart();
-    stop();
-    kit.advance(3.0);
-    assertThat(heard(RcChannelsOverride.class)).as("the autopilot is not yet known").isEmpty();
-    live(again, 3.0);
-
-    assertThat(steering()).containsExactly(1500, 0);
-    assertThat(steeringCount(1500)).as("a second, each third step").isBetween(16L, 18L);
-    assertThat(steeringCount(0)).isEqualTo(3);
-  }
-
-  /** A radio pilot may be flying: neutral would take the throttle away. */
-  @Test
-  void restart_notStopped_isGivenBackWithoutNeutral() {
-    rc();
-    MemoryLink again = restart();
-    live(again, 3.0);
-
-    assertThat(steering()).containsExactly(0);
-    assertThat(steeringCount(0)).isEqualTo(3);
-  }
-
-  @Test
-  void restart_linkIsAbsent_neutralTimeBeginsOnceItTakesTheFirstMessage() {
-    kit.with("AUTOPILOT SYSTEM", 7);
-    rc();
-    MemoryLink again = successorsLink();
-    again.unplug();
-    restart(again);
-    stop();
-    kit.advance(5.0);
-    again.plug();
-    live(again, 3.0);
-
-    assertThat(steering()).containsExactly(1500, 0);
-    assertThat(steeringCount(1500)).as("a second, each third step").isBetween(16L, 18L);
-  }
-
-  @Test
-  void restart_sensorOnly_commandsNothing() {
-    start();
-    MemoryLink again = restart();
-    live(again, 2.5);
-
-    assertThat(heard(RcChannelsOverride.class)).isEmpty();
-  }
-
-  @Test
-  void restart_attitudeComesLate_neutralWaitsForIt() {
-    kit.with("COMMANDS", "attitude");
-    start();
-    MemoryLink again = restart();
-    stop();
-    live(again, 2.0);
-    assertThat(heard(SetAttitudeTarget.class)).isEmpty();
-    again.fromDevice(vehicle.encode(attitude(0.0, 1.0)));
-    live(again, 2.0);
-
-    assertThat(heard(SetAttitudeTarget.class)).hasSizeBetween(16, 18);
-  }
-
   @Test
   void step_linkRefusesTheRelease_isReleasedOnceItTakesIt() {
     rc();
@@ -552,14 +250,6 @@ class MavlinkAutopilotTest {
     commanding("FORWARD SPEED", 60.0, 2.0);
     assertThat(heard(SetPositionTargetLocalNed.class))
         .allSatisfy(each -> assertThat(each.vx()).isZero());
-  }
-
-  /** What is left of the actuators, by their newest announcements [%]. */
-  private List<Double> left() {
-    Map<String, Double> left = new TreeMap<>();
-    kit.published(Channels.ACTUATORS)
-        .forEach(each -> left.put(each.actuatorName(), each.available().orElse(100.0)));
-    return List.copyOf(left.values());
   }
 
   @Test

@@ -3,22 +3,16 @@ package org.u2sa.recorder.mcap;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.io.EOFException;
 import java.io.IOException;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
-import java.nio.channels.FileChannel;
 import java.nio.channels.SeekableByteChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
 import java.util.function.UnaryOperator;
-import java.util.zip.CRC32;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -28,12 +22,10 @@ import org.u2sa.recorder.mcap.record.ChunkIndex;
 import org.u2sa.recorder.mcap.record.McapChannel;
 import org.u2sa.recorder.mcap.record.McapException;
 import org.u2sa.recorder.mcap.record.McapMessage;
-import org.u2sa.recorder.mcap.record.McapMetadata;
 import org.u2sa.recorder.mcap.record.McapStatistics;
 import org.u2sa.recorder.mcap.record.MetadataIndex;
 import org.u2sa.recorder.mcap.record.Opcode;
 import org.u2sa.recorder.mcap.record.RecordBuffer;
-import org.u2sa.recorder.mcap.record.RecordFields;
 
 /** Files made to fill a reader's memory, or to lead it astray. */
 class HostileFileTest {
@@ -263,270 +255,10 @@ class HostileFileTest {
     return new ChunkIndex(0, endNanos, number, 10, channels, 0, "", 100, 100);
   }
 
-  @Test
-  void next_chunksWithoutWantedMessages_areNotLoaded() throws IOException {
-    List<Long> loaded = new ArrayList<>();
-    BitSet wanted = new BitSet();
-    wanted.set(1);
-    McapCursor cursor =
-        new McapCursor(
-            "a.mcap",
-            List.of(
-                of(1, 4, Map.of()),
-                of(2, 5, Map.of()),
-                of(3, 9, Map.of(2, 0L)),
-                of(4, 9, Map.of(1, 0L))),
-            5,
-            wanted,
-            chunk -> {
-              loaded.add(chunk.offset());
-              return new byte[0];
-            },
-            1_000);
-    assertThat(cursor.next()).isEmpty();
-    assertThat(loaded).containsExactly(2L, 4L);
-  }
-
-  @Test
-  void next_messagesOfAChunkOutOfOrder_comeInTheOrderOfTime() throws IOException {
-    BitSet wanted = new BitSet();
-    wanted.set(1);
-    RecordBuffer out = new RecordBuffer(100, false);
-    for (long nanos : new long[] {3, 1, 2}) {
-      new McapMessage(1, 0, nanos, nanos, new byte[0]).write(out);
-    }
-    McapCursor cursor =
-        new McapCursor(
-            "a.mcap",
-            List.of(chunk(1, 0, 100)),
-            0,
-            wanted,
-            chunk -> Arrays.copyOf(out.array(), out.length()),
-            1_000);
-    assertThat(SmallRecording.read(cursor))
-        .extracting(McapMessage::logTimeNanos)
-        .containsExactly(1L, 2L, 3L);
-  }
-
-  private static ChunkIndex chunk(int number, long startNanos, long size) {
-    return new ChunkIndex(startNanos, 1_000, number, 10, Map.of(), 0, "", size, size);
-  }
-
   private static byte[] messages(long size, long nanos) {
     RecordBuffer out = new RecordBuffer(100, false);
     int data = (int) size - Opcode.PREFIX - McapMessage.FIXED;
     new McapMessage(1, 0, nanos, nanos, new byte[data]).write(out);
     return Arrays.copyOf(out.array(), out.length());
-  }
-
-  private static McapCursor cursor(List<ChunkIndex> chunks, long maxHeldBytes) {
-    BitSet wanted = new BitSet();
-    wanted.set(1);
-    return new McapCursor(
-        "a.mcap",
-        chunks,
-        0,
-        wanted,
-        chunk -> messages(chunk.size(), chunk.startNanos()),
-        maxHeldBytes);
-  }
-
-  @Test
-  void next_moreChunksAtATimeThanMayBeHeld_isRefused() {
-    List<ChunkIndex> chunks = List.of(chunk(1, 0, 100), chunk(2, 0, 100), chunk(3, 0, 101));
-    assertThatThrownBy(() -> cursor(chunks, 300).next())
-        .isInstanceOf(McapException.class)
-        .hasMessageContaining("a chunk of 101 bytes")
-        .hasMessageContaining("chunks of 200 bytes");
-  }
-
-  @Test
-  void next_asManyChunksAsMayBeHeld_areRead() throws IOException {
-    List<ChunkIndex> chunks = List.of(chunk(1, 0, 100), chunk(2, 0, 100), chunk(3, 0, 100));
-    assertThat(SmallRecording.read(cursor(chunks, 300))).hasSize(3);
-  }
-
-  @Test
-  void next_chunksOneAfterTheOther_areHeldOneAtATime() throws IOException {
-    List<ChunkIndex> chunks = new ArrayList<>();
-    for (int i = 0; i < 50; i++) {
-      chunks.add(chunk(i, 10L * i, 100));
-    }
-    assertThat(SmallRecording.read(cursor(chunks, 200))).hasSize(50);
-  }
-
-  @ParameterizedTest
-  @ValueSource(longs = {-1, Long.MIN_VALUE, 301})
-  void next_chunkOfImpossibleSize_isRefused(long size) {
-    assertThatThrownBy(() -> cursor(List.of(chunk(1, 0, size)), 300).next())
-        .isInstanceOf(McapException.class)
-        .hasMessageContaining("a chunk of " + size + " bytes");
-  }
-
-  private IOException nextOf(long length) throws IOException {
-    ByteBuffer prefix = ByteBuffer.allocate(Opcode.PREFIX).order(ByteOrder.LITTLE_ENDIAN);
-    Files.write(file(), prefix.put((byte) Opcode.METADATA).putLong(length).array());
-    try (FileChannel channel = FileChannel.open(file(), StandardOpenOption.READ)) {
-      new RecordStream(channel, 0).next();
-      throw new AssertionError("a record of " + length + " bytes was read");
-    } catch (IOException e) {
-      return e;
-    }
-  }
-
-  @Test
-  void next_recordOfGreatestLength_isTakenForOneThatBreaksOff() throws IOException {
-    assertThat(nextOf(ReadLimits.MAX_LENGTH))
-        .isInstanceOf(EOFException.class)
-        .hasMessageContaining("within a record");
-  }
-
-  @ParameterizedTest
-  @ValueSource(longs = {ReadLimits.MAX_LENGTH + 1, Long.MAX_VALUE, -1, Long.MIN_VALUE})
-  void next_longerRecord_isNone(long length) throws IOException {
-    assertThat(nextOf(length))
-        .isInstanceOf(McapException.class)
-        .hasMessageContaining("no valid record: opcode 12, length " + length);
-  }
-
-  private RecordBuffer twoRecords() {
-    RecordBuffer out = new RecordBuffer(100, false);
-    new McapMetadata("a", Map.of("b", "c")).write(out);
-    new McapMetadata("second", Map.of()).write(out);
-    return out;
-  }
-
-  @Test
-  void next_recordsUpToTheFilesLastByte_areRead() throws IOException {
-    RecordBuffer out = twoRecords();
-    Files.write(file(), Arrays.copyOf(out.array(), out.length()));
-    try (FileChannel channel = FileChannel.open(file(), StandardOpenOption.READ)) {
-      RecordStream stream = new RecordStream(channel, 0);
-      assertThat(McapMetadata.read(stream.next().fields()).name()).isEqualTo("a");
-      assertThat(stream.position()).isEqualTo(Opcode.PREFIX + 4 + 1 + 4 + 4 + 1 + 4 + 1);
-      assertThat(McapMetadata.read(stream.next().fields()).name()).isEqualTo("second");
-      assertThatThrownBy(stream::next)
-          .isInstanceOf(EOFException.class)
-          .hasMessage("the file breaks off at byte " + out.length());
-    }
-  }
-
-  @Test
-  void next_secondRecordCut_saysWhere() throws IOException {
-    RecordBuffer out = twoRecords();
-    long second = Opcode.PREFIX + 4 + 1 + 4 + 4 + 1 + 4 + 1;
-    for (int length = (int) second + 1; length < out.length(); length++) {
-      Files.write(file(), Arrays.copyOf(out.array(), length));
-      try (FileChannel channel = FileChannel.open(file(), StandardOpenOption.READ)) {
-        RecordStream stream = new RecordStream(channel, 0);
-        stream.next();
-        boolean hasPrefix = length >= second + Opcode.PREFIX;
-        assertThatThrownBy(stream::next)
-            .isInstanceOf(EOFException.class)
-            .hasMessage(
-                "the file breaks off at byte " + length + (hasPrefix ? ", within a record" : ""));
-      }
-    }
-  }
-
-  @Test
-  void next_recordWithoutContent_isRead() throws IOException {
-    Files.write(file(), new byte[] {(byte) 0x90, 0, 0, 0, 0, 0, 0, 0, 0});
-    try (FileChannel channel = FileChannel.open(file(), StandardOpenOption.READ)) {
-      RecordStream.Entry entry = new RecordStream(channel, 0).next();
-      assertThat(entry.opcode()).isEqualTo(0x90);
-      assertThat(entry.content()).isEmpty();
-    }
-  }
-
-  @Test
-  void bytes_moreThanTheFileHolds_areNotAllocated() throws IOException {
-    Files.write(file(), new byte[100]);
-    try (FileChannel channel = FileChannel.open(file(), StandardOpenOption.READ)) {
-      RecordStream stream = new RecordStream(channel, 40);
-      assertThat(stream.bytes(60)).hasSize(60);
-      assertThatThrownBy(() -> stream.bytes(61))
-          .isInstanceOf(EOFException.class)
-          .hasMessageContaining("within a record");
-      assertThatThrownBy(() -> stream.bytes(ReadLimits.MAX_LENGTH))
-          .isInstanceOf(EOFException.class);
-      assertThatThrownBy(() -> stream.bytes(ReadLimits.MAX_LENGTH + 1))
-          .isInstanceOf(McapException.class)
-          .hasMessageContaining("expected at most " + ReadLimits.MAX_LENGTH);
-    }
-  }
-
-  private static RecordFields chunkOfSize(long size) {
-    RecordBuffer out = new RecordBuffer(100, false);
-    out.uint64(0).uint64(0).uint64(size).uint32(0).string("").uint64(3).bytes(new byte[3], 0, 3);
-    return new RecordFields(Arrays.copyOf(out.array(), out.length()));
-  }
-
-  @Test
-  void read_chunkOfGreatestSize_isReadAndFoundTooShort() throws IOException {
-    ChunkContent chunk = ChunkContent.read(chunkOfSize(ReadLimits.MAX_LENGTH));
-    assertThat(chunk.size()).isEqualTo(ReadLimits.MAX_LENGTH);
-    assertThatThrownBy(chunk::decompressed)
-        .isInstanceOf(McapException.class)
-        .hasMessageContaining("holds 3 of its");
-  }
-
-  @ParameterizedTest
-  @ValueSource(longs = {ReadLimits.MAX_LENGTH + 1, Long.MAX_VALUE, -1})
-  void read_chunkOfImpossibleSize_isRefused(long size) {
-    assertThatThrownBy(() -> ChunkContent.read(chunkOfSize(size)))
-        .isInstanceOf(McapException.class)
-        .hasMessage("a chunk of " + size + " bytes: above the read limit");
-  }
-
-  @Test
-  void read_emptyChunk_isRead() throws IOException {
-    assertThat(ChunkContent.read(chunkOfSize(0)).size()).isZero();
-  }
-
-  private static ChunkContent chunk(byte[] records, long size, long crc) {
-    return new ChunkContent(size, crc, ChunkCompression.NONE, records);
-  }
-
-  @Test
-  void salvage_soundChunk_hasAllRecordsAndNoTrouble() throws IOException {
-    RecordBuffer out = twoRecords();
-    byte[] records = Arrays.copyOf(out.array(), out.length());
-    CRC32 crc = new CRC32();
-    crc.update(records);
-    for (long known : new long[] {0, crc.getValue()}) {
-      ChunkContent.Salvage salvage = chunk(records, records.length, known).salvage();
-      assertThat(salvage.trouble()).isNull();
-      assertThat(salvage.records()).hasSize(2);
-      assertThat(chunk(records, records.length, known).records()).hasSize(2);
-    }
-  }
-
-  @Test
-  void salvage_otherChecksum_saysSo() {
-    RecordBuffer out = twoRecords();
-    byte[] records = Arrays.copyOf(out.array(), out.length());
-    assertThat(chunk(records, records.length, 1).salvage().trouble())
-        .hasMessageContaining("checksum is wrong");
-  }
-
-  @Test
-  void salvage_recordCut_hasThoseBeforeIt() {
-    RecordBuffer out = twoRecords();
-    byte[] records = Arrays.copyOf(out.array(), out.length() - 1);
-    ChunkContent cut = chunk(records, records.length, 0);
-    assertThat(cut.salvage().records()).hasSize(1);
-    assertThat(cut.salvage().trouble()).hasMessageContaining("its record has only");
-    assertThatThrownBy(cut::records)
-        .isInstanceOf(McapException.class)
-        .hasMessageContaining("a chunk is damaged");
-  }
-
-  @Test
-  void salvage_framesEndMissing_saysWhatTheDecompressorSays() {
-    byte[] noFrame = {1, 2, 3, 4, 5, 6, 7, 8};
-    ChunkContent chunk = new ChunkContent(100, 0, ChunkCompression.LZ4, noFrame);
-    assertThat(chunk.salvage().records()).isEmpty();
-    assertThat(chunk.salvage().trouble()).isNotNull();
   }
 }

@@ -1,4 +1,4 @@
-package org.u2sa.planning;
+package org.u2sa.planning.flight;
 
 import java.util.List;
 import java.util.Optional;

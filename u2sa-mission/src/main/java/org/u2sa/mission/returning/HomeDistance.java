@@ -1,4 +1,4 @@
-package org.u2sa.mission;
+package org.u2sa.mission.returning;
 
 import java.util.Locale;
 import java.util.Optional;
@@ -8,13 +8,13 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.Waypoint;
 
 /** Finds missions whose home is so far from the vehicle that one of both places must be wrong. */
-final class HomeDistance {
+public final class HomeDistance {
   private static final double FAR_M = 100_000.0;
 
   private Waypoint checked; // newest home that was compared with a state; null at first
 
   /** Compares each home once, with the next position; empty unless it is far away. */
-  Optional<String> check(StateInformation state, Optional<Waypoint> home) {
+  public Optional<String> check(StateInformation state, Optional<Waypoint> home) {
     if (home.isEmpty()
         || home.get() == checked
         || !home.get().referenceFrame().isEarth()

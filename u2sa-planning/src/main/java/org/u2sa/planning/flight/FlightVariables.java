@@ -1,10 +1,10 @@
-package org.u2sa.planning;
+package org.u2sa.planning.flight;
 
 import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 
 /** Variables of take-off, landing and drops. */
-record FlightVariables(
+public record FlightVariables(
     @Variable(unit = "m", min = 0.1, max = 100, ifAbsent = 3)
         @Description(
             "Altitude difference within which a take-off without verticalThreshold is completed.")

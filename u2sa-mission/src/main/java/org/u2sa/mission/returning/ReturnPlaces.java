@@ -1,4 +1,4 @@
-package org.u2sa.mission;
+package org.u2sa.mission.returning;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -13,7 +13,7 @@ import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.safety.FenceState;
 
 /** Determines where the vehicle returns to: its home or a rally point, whichever is nearest. */
-final class ReturnPlaces {
+public final class ReturnPlaces {
   private final Supplier<Optional<Waypoint>> home;
   private final ReturnWay way = new ReturnWay();
   private List<GoalInformation> rally = List.of();
@@ -22,16 +22,16 @@ final class ReturnPlaces {
   /**
    * @param home home of the mission
    */
-  ReturnPlaces(Supplier<Optional<Waypoint>> home) {
+  public ReturnPlaces(Supplier<Optional<Waypoint>> home) {
     this.home = home;
   }
 
-  void see(FenceState fence) {
+  public void see(FenceState fence) {
     rally = fence.rally();
     way.see(fence);
   }
 
-  void see(StateInformation now) {
+  public void see(StateInformation now) {
     state = now.x().isPresent() && now.y().isPresent() ? now : state;
   }
 
@@ -40,7 +40,7 @@ final class ReturnPlaces {
    *
    * @param thresholdM horizontal threshold [m]
    */
-  Optional<Waypoint> nearest(double thresholdM) {
+  public Optional<Waypoint> nearest(double thresholdM) {
     List<Waypoint> places = new ArrayList<>();
     home.get().ifPresent(places::add);
     for (GoalInformation goal : rally) {
@@ -62,12 +62,12 @@ final class ReturnPlaces {
   }
 
   /** Whether ways are known: where the fence has areas, only once a position has been received. */
-  boolean isReady() {
+  public boolean isReady() {
     return state != null || !way.hasAreas();
   }
 
   /** Waypoints on a way to a place within the fence; see {@link ReturnWay#between}. */
-  Optional<List<Waypoint>> wayTo(Waypoint place) {
+  public Optional<List<Waypoint>> wayTo(Waypoint place) {
     return state == null ? Optional.of(List.of()) : way.between(state, place);
   }
 

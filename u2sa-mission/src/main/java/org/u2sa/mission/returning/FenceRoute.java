@@ -1,4 +1,4 @@
-package org.u2sa.mission;
+package org.u2sa.mission.returning;
 
 import java.util.ArrayList;
 import java.util.Arrays;

@@ -1,4 +1,4 @@
-package org.u2sa.mission;
+package org.u2sa.mission.returning;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
