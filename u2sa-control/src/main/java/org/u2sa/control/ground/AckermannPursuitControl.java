@@ -122,12 +122,11 @@ public final class AckermannPursuitControl extends GroundControl {
       share = -alongPath.getAsDouble() / now.angleRad();
       share = Math.max(-1.0, Math.min(1.0, share));
     } else if (Math.abs(drive.speedMps()) > SLOWEST_MPS) {
+      double wanted = drive.yawRateRadPerS() / drive.speedMps();
       if (demand.yawErrorRadPerS().isPresent()) {
-        double error = demand.yawErrorRadPerS().getAsDouble() / drive.speedMps();
-        double more = tuning.get().turnGain() * stepS() * error;
-        misalignment = Math.max(-now.tightest(), Math.min(now.tightest(), misalignment + more));
+        learn(demand.yawErrorRadPerS().getAsDouble() / drive.speedMps(), wanted);
       }
-      double curvature = drive.yawRateRadPerS() / drive.speedMps() + misalignment;
+      double curvature = wanted + misalignment;
       // tan δ = L / R, a bicycle without slip (Rajamani: Vehicle Dynamics and Control, eq. 2.10)
       share = -Math.atan(now.wheelbase() * curvature) / now.angleRad();
     }
@@ -141,6 +140,20 @@ public final class AckermannPursuitControl extends GroundControl {
       commandShare(now.steeringActuator(), share);
     }
     return Math.abs(throttle);
+  }
+
+  /**
+   * Learns the misalignment from an error of the curvature [1/m], but not from one that the wheels
+   * at full lock cannot correct (anti-windup): afterwards it would turn the vehicle off its way.
+   */
+  private void learn(double error, double wanted) {
+    double tightest = steering.get().tightest();
+    double more = tuning.get().turnGain() * stepS() * error;
+    double steered = wanted + misalignment;
+    boolean isAtLock = Math.abs(steered) >= tightest && Math.signum(more) == Math.signum(steered);
+    if (!isAtLock) {
+      misalignment = Math.max(-tightest, Math.min(tightest, misalignment + more));
+    }
   }
 
   @Override

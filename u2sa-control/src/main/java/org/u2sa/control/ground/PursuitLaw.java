@@ -65,7 +65,9 @@ final class PursuitLaw {
             stepS * (slower ? settings.tuning().braking() : settings.tuning().acceleration()));
     double yawRate = wanted.yawRateRadPerS();
     boolean byHand = target.flatMap(GroundTarget::byHand).isPresent();
-    if (!turning && !byHand && wanted.speedMps() != 0.0) {
+    if (byHand && !settings.spotTurn().possible()) {
+      yawRate = bounded(yawRate, Math.abs(speed) * settings.largestCurvature());
+    } else if (!turning && !byHand && wanted.speedMps() != 0.0) {
       yawRate *= speed / wanted.speedMps(); // same curvature at the actual speed
     }
     drive =

@@ -32,9 +32,17 @@ class HandDrivingTest {
 
   private RoverDrive onItsWay(
       Function<ServiceContext, ? extends ControlSystem> control, Map<String, Object> variables) {
+    return onItsWay(
+        new KinematicRover(KinematicRover.differential(0.0), 0.0), control, variables);
+  }
+
+  private RoverDrive onItsWay(
+      KinematicRover rover,
+      Function<ServiceContext, ? extends ControlSystem> control,
+      Map<String, Object> variables) {
     RoverDrive drive =
         new RoverDrive(
-            new KinematicRover(KinematicRover.differential(0.0), 0.0),
+            rover,
             RoverDrive.mission(directory, 0.5, CORNERS),
             Map.of(
                 "LOOK AHEAD", 1.2, "LOOK AHEAD TIME", 1.2, "AT END", "HOLD", "HOLD AT REST", true),
@@ -81,6 +89,24 @@ class HandDrivingTest {
 
       assertThat(speed(drive)).isCloseTo(0.5, within(0.08));
       assertThat(drive.rover.heading - before).as("to the right").isCloseTo(0.6, within(0.1));
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {1.0, -1.0})
+  void drive_tighterThanTheSteeringAllows_goesStraightOnceTheStickIsCentred(double side) {
+    KinematicRover rover = new KinematicRover(KinematicRover.ackermann(), 0.0);
+    Map<String, Object> steered =
+        Map.of("WHEELBASE", 0.6, "STEERING ANGLE", 28.0, "MAX SPEED", 3.0, "MANUAL SPEED", 0.8);
+    try (RoverDrive drive = onItsWay(rover, AckermannPursuitControl::new, steered)) {
+      order(drive, true, "Ann");
+      hold(drive, by("Ann").speed(0.3).turnRate(side * 0.785), 6.0);
+      assertThat(Math.abs(rover.yawRate)).as("at full lock").isCloseTo(0.26, within(0.03));
+      hold(drive, by("Ann").speed(0.5).turnRate(0.0), 1.5);
+      double before = rover.heading;
+      hold(drive, by("Ann").speed(0.5).turnRate(0.0), 4.0);
+
+      assertThat(rover.heading).isCloseTo(before, within(Math.toRadians(5.0)));
     }
   }
 
