@@ -6,8 +6,8 @@ import java.io.IOException;
 import java.util.Arrays;
 
 /**
- * Opens desktop serial ports with jSerialComm; the only class that uses it, loaded only for {@code
- * serial:} addresses because Android has no such ports.
+ * Opens desktop serial ports with jSerialComm; with {@link SerialLibrary} the only class that uses
+ * it, loaded only for {@code serial:} addresses because Android has no such ports.
  */
 final class SerialOpener implements Port.Opener {
   private static final int DATA_BITS = 8;
@@ -38,6 +38,7 @@ final class SerialOpener implements Port.Opener {
   @Override
   public Port open() throws IOException {
     try {
+      SerialLibrary.load();
       SerialPort port = SerialPort.getCommPort(path);
       port.setComPortParameters(
           baud,

@@ -2,6 +2,7 @@ package org.u2sa.scenarios.camera;
 
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -111,8 +112,8 @@ final class CalibrateCommand implements Callable<Integer> {
   }
 
   private void take(ChessboardCalibration calibration, PrintWriter text)
-      throws InterruptedException {
-    Path logs = Path.of(System.getProperty("java.io.tmpdir"));
+      throws IOException, InterruptedException {
+    Path logs = Files.createTempDirectory("u2sa-camera"); // of this account only
     try (LiveCamera camera = new LiveCamera(XmlConfiguration.load(live), logs)) {
       for (int tries = 1; calibration.boards() < wanted && tries <= 10 * wanted; tries++) {
         CameraFrame frame = camera.next(BETWEEN_S, PATIENCE_S);

@@ -90,7 +90,7 @@ final class LookCommand implements Callable<Integer> {
       look(file.getFileName().toString(), CameraPicture.read(file), reading, text);
     }
     if (live) {
-      Path logs = Path.of(System.getProperty("java.io.tmpdir"));
+      Path logs = Files.createTempDirectory("u2sa-camera"); // of this account only
       try (LiveCamera camera = new LiveCamera(settings, logs)) {
         look("live", reading.unpacked(camera.next(0.0, PATIENCE_S)), reading, text);
       }
