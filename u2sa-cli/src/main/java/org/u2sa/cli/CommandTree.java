@@ -4,9 +4,10 @@ import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
-import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
 import org.u2sa.cli.command.CommandProvider;
+import org.u2sa.cli.command.CommandProvider.Contribution;
+import org.u2sa.cli.command.CommandProvider.Group;
 import org.u2sa.cli.safety.EmergencyStopCommand;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -18,45 +19,58 @@ import picocli.CommandLine.Spec;
 /** Builds the command tree from the frame's own commands and those of the providers. */
 final class CommandTree {
   private static final String URGENT = "estop";
+  private static final int MAX_FAULTS = 100; // a broken list may never end
 
   private CommandTree() {}
 
   /**
    * Loads all providers on the class path; a broken one is reported on {@code err} and skipped, so
-   * that one bad jar does not disable the other commands.
+   * that one bad jar does not disable the other commands. For an emergency stop there is only that
+   * command: nothing else may delay or prevent it.
    */
-  static List<CommandProvider> discover(PrintWriter err) {
+  static List<CommandProvider> discover(PrintWriter err, String... args) {
+    if (args.length > 0 && args[0].equals(URGENT)) {
+      return List.of(() -> List.of(new Contribution(Group.TOP_LEVEL, new EmergencyStopCommand())));
+    }
     List<CommandProvider> found = new ArrayList<>();
     Iterator<CommandProvider> providers = ServiceLoader.load(CommandProvider.class).iterator();
-    while (true) {
+    for (int faults = 0; faults < MAX_FAULTS; ) {
       try {
         if (!providers.hasNext()) {
           return found;
         }
         found.add(providers.next());
-      } catch (ServiceConfigurationError e) {
-        err.println("u2sa: some commands are missing: " + ProviderFault.explained(e));
+      } catch (Exception | Error e) { // whatever the extension's code throws
+        faults++;
+        report(e, err);
       }
     }
+    return found;
+  }
+
+  private static void report(Throwable fault, PrintWriter err) {
+    err.println(
+        "u2sa: some commands are missing: "
+            + ProviderFault.causeOf(fault).orElseGet(fault::toString));
   }
 
   /**
-   * Creates the command line of all commands, with the project's error handling; for an emergency
-   * stop only that command, because creating the others would take a third of the run time.
+   * Creates the command line of the providers' commands, with the project's error handling.
+   *
+   * @param err receives what is wrong with a provider, whose commands are skipped
    */
-  static CommandLine build(List<CommandProvider> providers, Help.Ansi ansi, String... args) {
-    boolean isUrgent = args.length > 0 && args[0].equals(URGENT);
+  static CommandLine build(List<CommandProvider> providers, PrintWriter err, Help.Ansi ansi) {
     RootCommand root = new RootCommand();
     CommandLine line = new CommandLine(root);
     CommandLine demo = new CommandLine(new DemoCommand());
     line.addSubcommand(demo);
     for (CommandProvider provider : providers) {
-      for (CommandProvider.Contribution contribution : provider.commands()) {
-        if (isUrgent && !(contribution.command() instanceof EmergencyStopCommand)) {
-          continue;
+      try {
+        for (Contribution contribution : provider.commands()) {
+          (contribution.group() == Group.DEMO ? demo : line).addSubcommand(contribution.command());
         }
-        (contribution.group() == CommandProvider.Group.DEMO ? demo : line)
-            .addSubcommand(contribution.command());
+      } catch (Exception | Error e) { // whatever the extension's code throws
+        report(e, err);
       }
     }
     line.addSubcommand(new CompletionCommand());

@@ -31,7 +31,7 @@ public final class Main {
     MQTT.setLevel(Level.OFF); // services log each lost link themselves
     System.exit(
         run(
-            CommandTree.discover(err),
+            CommandTree.discover(err, args),
             new PlainLines(out, Optional.of(console)),
             new PlainLines(err, Optional.of(console)),
             Help.Ansi.AUTO,
@@ -49,7 +49,11 @@ public final class Main {
    */
   public static int run(PrintWriter out, PrintWriter err, String... args) {
     return run(
-        CommandTree.discover(err), new PlainLines(out), new PlainLines(err), Help.Ansi.OFF, args);
+        CommandTree.discover(err, args),
+        new PlainLines(out),
+        new PlainLines(err),
+        Help.Ansi.OFF,
+        args);
   }
 
   /** Runs one command, and returns its {@link ExitCode}. */
@@ -59,7 +63,7 @@ public final class Main {
       PlainLines err,
       Help.Ansi ansi,
       String... args) {
-    CommandLine line = CommandTree.build(providers, ansi, args).setOut(out).setErr(err);
+    CommandLine line = CommandTree.build(providers, err, ansi).setOut(out).setErr(err);
     try {
       return line.execute(args);
     } catch (Error e) { // picocli rethrows it; also reports a broken installation clearly

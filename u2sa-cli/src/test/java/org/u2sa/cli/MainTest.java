@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.net.URL;
+import java.net.URLClassLoader;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -12,19 +14,22 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.cli.command.CommandProvider;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.cli.safety.EmergencyStopCommand;
 import org.u2sa.cli.terminal.PlainLines;
 import picocli.CommandLine.Help;
 
 class MainTest {
 
+  @TempDir private Path folder;
   private final StringWriter out = new StringWriter();
   private final StringWriter err = new StringWriter();
 
   private int run(String... args) {
-    List<CommandProvider> providers = CommandTree.discover(new PrintWriter(err));
+    List<CommandProvider> providers = CommandTree.discover(new PrintWriter(err), args);
     return Main.run(
         providers,
         new PlainLines(new PrintWriter(out)),
@@ -77,6 +82,74 @@ class MainTest {
   void run_helpOfContributedDemo_needsNothingFromItsAuthor() {
     assertThat(run("demo", "greet", "--help")).isEqualTo(ExitCode.DONE);
     assertThat(out.toString()).contains("--seed=N", "--help", "--debug");
+  }
+
+  private int runWith(CommandProvider... providers) {
+    List<CommandProvider> all = new ArrayList<>(CommandTree.discover(new PrintWriter(err)));
+    all.addAll(0, List.of(providers));
+    return Main.run(
+        all,
+        new PlainLines(new PrintWriter(out)),
+        new PlainLines(new PrintWriter(err)),
+        Help.Ansi.OFF,
+        "demo",
+        "greet",
+        "--seed",
+        "42");
+  }
+
+  static List<CommandProvider> brokenProviders() {
+    return List.of(
+        () -> {
+          throw new NoClassDefFoundError("org/example/Library");
+        },
+        () -> {
+          throw new IllegalStateException("no licence");
+        },
+        () -> null,
+        () -> List.of(new CommandProvider.Contribution(CommandProvider.Group.DEMO, "no command")));
+  }
+
+  @ParameterizedTest
+  @MethodSource("brokenProviders")
+  void run_providerOfAnotherJarThrows_itsCommandsAreMissingAndTheOthersWork(
+      CommandProvider broken) {
+    assertThat(runWith(broken)).isEqualTo(ExitCode.DONE);
+    assertThat(out.toString()).isEqualToIgnoringNewLines("hello 42");
+    assertThat(err.toString().lines()).singleElement().asString().contains("commands are missing");
+  }
+
+  @Test
+  void discover_classForANewerJava_isReportedAndTheOthersAreFound() throws IOException {
+    assertThat(withANewerClass()).extracting(each -> each.getClass().getSimpleName()).isNotEmpty();
+    assertThat(err.toString()).contains("commands are missing", "UnsupportedClassVersionError");
+  }
+
+  @Test
+  void discover_emergencyStop_asksNobodyElse() throws IOException {
+    List<CommandProvider> found = withANewerClass("estop", "--reason", "smoke");
+
+    assertThat(found).singleElement();
+    assertThat(found.get(0).commands())
+        .singleElement()
+        .satisfies(only -> assertThat(only.command()).isInstanceOf(EmergencyStopCommand.class));
+    assertThat(err.toString()).isEmpty();
+  }
+
+  /** What is found if the class path also has a provider that was compiled for a newer Java. */
+  private List<CommandProvider> withANewerClass(String... args) throws IOException {
+    Path list = folder.resolve("META-INF/services/" + CommandProvider.class.getName());
+    Files.createDirectories(list.getParent());
+    Files.writeString(list, "Newer\n");
+    Files.write(folder.resolve("Newer.class"), new byte[] {-54, -2, -70, -66, 0, 0, 1, 0, 0, 0});
+    Thread thread = Thread.currentThread();
+    ClassLoader before = thread.getContextClassLoader();
+    try (URLClassLoader loader = new URLClassLoader(new URL[] {folder.toUri().toURL()}, before)) {
+      thread.setContextClassLoader(loader);
+      return CommandTree.discover(new PrintWriter(err, true), args);
+    } finally {
+      thread.setContextClassLoader(before);
+    }
   }
 
   @Test

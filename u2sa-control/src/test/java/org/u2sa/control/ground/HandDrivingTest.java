@@ -32,8 +32,7 @@ class HandDrivingTest {
 
   private RoverDrive onItsWay(
       Function<ServiceContext, ? extends ControlSystem> control, Map<String, Object> variables) {
-    return onItsWay(
-        new KinematicRover(KinematicRover.differential(0.0), 0.0), control, variables);
+    return onItsWay(new KinematicRover(KinematicRover.differential(0.0), 0.0), control, variables);
   }
 
   private RoverDrive onItsWay(
