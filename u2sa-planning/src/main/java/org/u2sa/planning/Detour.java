@@ -30,9 +30,14 @@ final class Detour {
     return avoidance.isOn();
   }
 
-  /** Whether a straight way of an aircraft that can stop leads into something that stands. */
+  /** Whether the vehicle is an aircraft that can stop, which looks above and below itself. */
+  boolean isOfAircraftThatStops(StateInformation state) {
+    return avoidance.guards(state);
+  }
+
+  /** Whether a straight way of such an aircraft leads into something that stands. */
   boolean isBlocked(Vehicle vehicle, StateInformation state, Place to) {
-    return avoidance.guards(state) && avoidance.isBlocked(vehicle, state, to);
+    return avoidance.isBlocked(vehicle, state, to);
   }
 
   /** Whether something blocks the straight way to a position. */

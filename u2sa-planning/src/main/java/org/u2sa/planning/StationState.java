@@ -26,8 +26,9 @@ import org.u2sa.service.handover.HandOver;
 /**
  * Keeps the vehicle at a {@link Station}, circling if it has a LOITER RADIUS. Without one, the
  * vehicle moves to the position, or to the start of its straight way and along it, and stays until
- * the time has elapsed. Aircraft that can stop fly around what stands on the way. The time restarts
- * when the vehicle leaves a threshold or the heading.
+ * the time has elapsed. With a route planner it goes around what is in the way; only along the
+ * straight way it trusts the mission. The time restarts when the vehicle leaves a threshold or the
+ * heading.
  */
 final class StationState implements PlannerState {
   private enum Phase {
@@ -50,12 +51,12 @@ final class StationState implements PlannerState {
   private final BooleanSupplier lacksSway;
   private final StationPatience patience = new StationPatience();
   private final Detour detour;
-  private boolean isRouted; // flies around an obstacle
+  private boolean isRouted; // follows the route planner
 
   /**
    * Creates the state.
    *
-   * @param detour way of an aircraft that can stop, around obstacles
+   * @param detour way around obstacles
    * @param lacksSway whether the vehicle is known to have no sideways thrust
    */
   StationState(
@@ -166,8 +167,10 @@ final class StationState implements PlannerState {
     }
     boolean isNear = phase != Phase.TRANSIT || length(start) <= settings.get().stationTurnWithin();
     patience.count(isNear, vehicle.timestampMicros());
-    if (!isBerth && goesAround(vehicle, pursuit.state(), place, station)) {
-      Plan step = detour.step(vehicle, pursuit.state(), wanted(station, place));
+    Avoidance.Wanted wanted = wanted(station, place, isBerth && phase == Phase.TRANSIT);
+    boolean isOnStraightWay = isBerth && phase != Phase.TRANSIT;
+    if (!isOnStraightWay && goesAround(vehicle, pursuit.state(), wanted)) {
+      Plan step = detour.step(vehicle, pursuit.state(), wanted);
       return step.progress() == Plan.Progress.UNDER_WAY
           ? progress(station, vehicle, to, step.points())
           : step;
@@ -182,26 +185,35 @@ final class StationState implements PlannerState {
     return progress(station, vehicle, to, List.of(point));
   }
 
-  /** Whether it flies around what stands on its way, also back after it has evaded traffic. */
-  private boolean goesAround(
-      Vehicle vehicle, StateInformation state, Place place, Station station) {
-    double nearM = Math.max(settings.get().stationTurnWithin(), station.horizontalThreshold());
-    boolean isFar = length(vehicle.nedOf(place)) > nearM;
-    boolean isBlocked = isFar && detour.isBlocked(vehicle, state, place);
-    if (isBlocked && !isRouted) {
+  /**
+   * Whether the route planner leads: near the station, and for aircraft that can stop also far from
+   * it, only around something.
+   */
+  private boolean goesAround(Vehicle vehicle, StateInformation state, Avoidance.Wanted wanted) {
+    double toGoM = length(vehicle.nedOf(wanted.target()));
+    boolean isFar = toGoM > Math.max(settings.get().stationTurnWithin(), wanted.thresholdM());
+    boolean routes =
+        detour.isOfAircraftThatStops(state)
+            ? isFar && detour.isBlocked(vehicle, state, wanted.target())
+            : detour.isPossible()
+                && toGoM > wanted.thresholdM()
+                && (isFar || detour.isHindered(vehicle, state, wanted.target()));
+    if (routes && !isRouted) {
       detour.begin();
     }
-    isRouted = isBlocked;
-    return isBlocked;
+    isRouted = routes;
+    return routes;
   }
 
-  private static Avoidance.Wanted wanted(Station station, Place place) {
+  /** Where it goes: to the station, or to the start of its straight way. */
+  private Avoidance.Wanted wanted(Station station, Place place, boolean toEntrance) {
+    Point entrance = toEntrance ? entrance(station) : Point.ORIGIN;
     return new Avoidance.Wanted(
         station.uid(),
-        place,
-        station.horizontalThreshold(),
+        toEntrance ? place.moved(entrance.x(), entrance.y()) : place,
+        within(toEntrance, station),
         OptionalDouble.empty(),
-        station.speed());
+        toEntrance ? OptionalDouble.empty() : station.speed());
   }
 
   /** From the station to the start of its straight way: north, east [m]. */

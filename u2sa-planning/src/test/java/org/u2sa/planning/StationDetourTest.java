@@ -1,0 +1,111 @@
+package org.u2sa.planning;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.ObjectList;
+import org.u2sa.messages.PathStatus;
+import org.u2sa.messages.PlannedPath;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.Station;
+import org.u2sa.messages.shape.Circle;
+import org.u2sa.planning.guidance.Leg;
+
+/** Stations of ground vehicles and boats behind something that stands. */
+class StationDetourTest extends PlannedVehicle {
+  private static final double RADIUS_M = 1.0;
+
+  private ObjectDescription pole = pole(10, 0);
+
+  private static Circle pole(double north, double east) {
+    Circle pole = new Circle().radius(RADIUS_M);
+    pole.uid("pole").referenceFrame(ReferenceFrame.LOCAL_NED).x(north).y(east);
+    return pole;
+  }
+
+  private static Station station() {
+    Station station = new Station();
+    station.uid("S").referenceFrame(ReferenceFrame.LOCAL_NED).x(20.0).y(0.0);
+    station.horizontalThreshold(0.5);
+    return station;
+  }
+
+  @BeforeEach
+  void start() {
+    kit.with("PLANNER", "GRID").start(PathPlanner::new);
+  }
+
+  private void sees(double north, double east) {
+    kit.advance(0.1);
+    kit.publish(Channels.OBJECTS, new ObjectList().objects(List.of(pole)));
+    kit.publish(Channels.STATE, state(north, east, 0.0));
+  }
+
+  private double nearestToThePoleM() {
+    PlannedPath path = kit.latest(Channels.PLANS).orElseThrow();
+    assertThat(path.status()).isEqualTo(PathStatus.FOLLOWED);
+    double nearestM = Double.POSITIVE_INFINITY;
+    List<Point> points = path.points();
+    for (int i = 1; i < points.size(); i++) {
+      Point from = points.get(i - 1);
+      Point to = points.get(i);
+      Leg leg = new Leg(from.x(), from.y(), to.x(), to.y());
+      nearestM = Math.min(nearestM, leg.distanceM(pole.x(), pole.y()));
+    }
+    return nearestM;
+  }
+
+  @Test
+  void station_poleOnTheWay_isGoneAround() {
+    goals(station());
+    sees(0, 0);
+
+    assertThat(nearestToThePoleM()).isGreaterThan(RADIUS_M + 0.2);
+  }
+
+  @Test
+  void station_poleNearIt_isGoneAroundToo() {
+    pole = pole(17.5, 0);
+    goals(station());
+    sees(15.2, 0);
+
+    assertThat(nearestToThePoleM()).isGreaterThan(RADIUS_M + 0.2);
+  }
+
+  @Test
+  void station_poleBeforeTheStartOfItsStraightWay_isGoneAroundToThatStart() {
+    goals(station().approach(5.0).psi(0.0));
+    sees(0, 0);
+
+    assertThat(nearestToThePoleM()).isGreaterThan(RADIUS_M + 0.2);
+    List<Point> points = kit.latest(Channels.PLANS).orElseThrow().points();
+    assertThat(points.get(points.size() - 1).x()).isCloseTo(15.0, within(0.3));
+  }
+
+  @Test
+  void station_onItsStraightWay_goesOnTowardsIt() {
+    pole = pole(20, 2);
+    goals(station().approach(5.0).psi(0.0));
+    sees(15.0, 0);
+    sees(16.0, 0);
+
+    assertThat(point().y()).isCloseTo(0.0, within(0.05));
+    assertThat(point().x()).isGreaterThan(0.5);
+  }
+
+  @Test
+  void station_speed_isThatOfTheWayAround() {
+    goals(station().speed(0.7));
+    sees(0, 0);
+
+    OptionalDouble speed = kit.latest(Channels.NAVIGATION).orElseThrow().speed();
+    assertThat(speed.orElseThrow()).isLessThanOrEqualTo(0.7);
+  }
+}
