@@ -86,6 +86,10 @@ final class GroundStay {
     wasLed &= armed;
   }
 
+  boolean isArmed() {
+    return armed;
+  }
+
   void heedGoals(GoalList goals) {
     takesOff |= goals.goals().stream().anyMatch(TakeOff.class::isInstance);
     returns = goals.returning();

@@ -25,6 +25,7 @@ import org.u2sa.planning.avoidance.Avoidance;
 import org.u2sa.planning.avoidance.AvoidanceVariables;
 import org.u2sa.planning.flight.FlightChecks;
 import org.u2sa.planning.flight.FlightVariables;
+import org.u2sa.planning.flight.TakeOffWatch;
 import org.u2sa.planning.guidance.ChosenGuidance;
 import org.u2sa.planning.guidance.HeadwayWatch;
 import org.u2sa.planning.guidance.LineSettings;
@@ -63,6 +64,7 @@ public class PathPlanner extends EventDrivenService {
   private final RightOfWayWatch rightOfWay;
   private final BlindStand blind;
   private final FlightChecks checks;
+  private final TakeOffWatch takeOff = new TakeOffWatch();
   private final GoalReports reports;
   private final PlannerOrders orders = new PlannerOrders();
   private final PlannerRemarks remarks = new PlannerRemarks(this, () -> this.goal);
@@ -102,13 +104,15 @@ public class PathPlanner extends EventDrivenService {
             () -> settings.get().reportIntervalMicros());
     Detour detour = new Detour(avoidance);
     Settings<FlightVariables> flight = settings(FlightVariables.class);
+    ground = new GroundStay(flight, this::isAeroplane);
     StationCircle circle =
         new StationCircle(detour, this::lines, () -> settings.get().loiterRadius(), flight);
     PayloadReleases releases = new PayloadReleases();
     states =
         new PlannerStates(
             List.of(
-                new WaypointState(guidance, settings, avoidance, rightOfWay, seeing),
+                new WaypointState(
+                    guidance, settings, avoidance, rightOfWay, seeing, ground::isArmed),
                 new ObjectGoalState(avoidance, seeing),
                 new StationState(
                     guidance,
@@ -122,7 +126,6 @@ public class PathPlanner extends EventDrivenService {
                 new LandingState(detour, this::lines, circle, flight),
                 new PayloadDropState(detour, this::lines, flight, releases)));
     states.discover(this, new PlannerSurroundings(avoidance, this::missionS));
-    ground = new GroundStay(flight, this::isAeroplane);
     checks =
         new FlightChecks(
             avoidance,
@@ -446,6 +449,10 @@ public class PathPlanner extends EventDrivenService {
           plan.progress() == Plan.Progress.COMPLETED ? LogLevelEnum.INFO : LogLevelEnum.WARN;
       log(level, PlannerRemarks.named(chosen) + " " + plan.remark());
     }
+    Vehicle.of(state)
+        .map(vehicle -> takeOff.step(chosen, vehicle, ground.isArmed()))
+        .filter(remark -> !remark.isEmpty())
+        .ifPresent(remark -> trouble(PlannerRemarks.named(chosen) + ": " + remark));
     if (plan.progress() != Plan.Progress.UNDER_WAY) {
       reports.report(chosen, plan, clock().micros());
     }

@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
+import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
@@ -16,6 +17,7 @@ import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.planning.avoidance.Avoidance;
 import org.u2sa.planning.avoidance.AvoidanceVariables;
 import org.u2sa.planning.guidance.AltitudeProgress;
+import org.u2sa.planning.guidance.ApproachWatch;
 import org.u2sa.planning.guidance.Leg;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
@@ -30,7 +32,7 @@ import org.u2sa.service.handover.HandOver;
  * <p>The waypoint is reached within its horizontal threshold and, if it has one, its vertical
  * threshold (thesis 3.2.3.4), and is reported at the point of closest approach. After a miss the
  * vehicle turns round for another attempt; after the last attempt the waypoint is abandoned and
- * reported as such.
+ * reported as such, also if a vehicle that can stop stands beside it.
  */
 final class WaypointState implements PlannerState {
   /** Fraction of a threshold within which typical estimation errors do not hide a miss. */
@@ -52,7 +54,9 @@ final class WaypointState implements PlannerState {
   private final Avoidance avoidance;
   private final RightOfWayWatch rightOfWay;
   private final Supplier<AvoidanceVariables> seeing;
+  private final BooleanSupplier mayMove;
   private final AltitudeProgress altitude = new AltitudeProgress();
+  private final ApproachWatch beside = new ApproachWatch();
   private int attempts;
   private boolean armed; // false: must leave the threshold, or stay, before reaching it again
   private OptionalLong stayedMicros = OptionalLong.empty(); // start of the stay, while not armed
@@ -63,12 +67,17 @@ final class WaypointState implements PlannerState {
   private Optional<StateInformation> last = Optional.empty();
   private Optional<Place> aimedAt = Optional.empty(); // position of the waypoint at the last state
 
+  /**
+   * @param mayMove whether the vehicle is armed
+   */
   WaypointState(
       WaypointGuidance guidance,
       Supplier<PlanningVariables> settings,
       Avoidance avoidance,
       RightOfWayWatch rightOfWay,
-      Supplier<AvoidanceVariables> seeing) {
+      Supplier<AvoidanceVariables> seeing,
+      BooleanSupplier mayMove) {
+    this.mayMove = mayMove;
     this.guidance = guidance;
     this.settings = settings;
     this.avoidance = avoidance;
@@ -92,6 +101,7 @@ final class WaypointState implements PlannerState {
     guidance.begin(placeOf(pursuit.before()));
     avoidance.begin();
     altitude.begin();
+    beside.begin();
     attempts = 1;
     armed = pursuit.before().filter(before -> before.uid().equals(pursuit.goal().uid())).isEmpty();
     stayedMicros = OptionalLong.empty();
@@ -106,6 +116,7 @@ final class WaypointState implements PlannerState {
     if (aimedAt.filter(before -> !before.equals(target)).isPresent()) {
       guidance.begin(Optional.empty());
       altitude.begin();
+      beside.begin();
       attempts = 1;
       armed = true;
       reached = false;
@@ -158,6 +169,7 @@ final class WaypointState implements PlannerState {
     follow(target);
     if (avoidance.isHeldUp() && !reached) {
       altitude.begin(); // it waits, and has not missed the waypoint
+      beside.begin();
     }
     Vehicle vehicle = Vehicle.of(pursuit.state()).orElseThrow();
     Optional<Order> order = order(waypoint, target, vehicle, pursuit);
@@ -187,9 +199,19 @@ final class WaypointState implements PlannerState {
       return new Plan(points, Plan.Progress.COMPLETED, "reached, " + passing(waypoint, downM));
     }
     if (!guidance.hasPassed() || climbs) {
-      return Plan.underWay(points);
+      return Plan.unless(standsBeside(waypoint, downM, vehicle), points);
     }
     return missed(points, passing(waypoint, downM));
+  }
+
+  /** Why a vehicle that can stop gives up a waypoint beside which it stands. */
+  private Optional<String> standsBeside(Waypoint waypoint, double downM, Vehicle vehicle) {
+    if (!mayMove.getAsBoolean() || settings.get().turnAcceleration() > 0.0) {
+      beside.begin();
+      return Optional.empty();
+    }
+    double offM = waypoint.verticalThreshold().isPresent() ? Math.abs(downM) : 0.0;
+    return beside.step(nowM, offM, waypoint.horizontalThreshold(), vehicle.timestampMicros());
   }
 
   /**
