@@ -26,6 +26,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class LauncherTest {
   @TempDir private Path home;
   private Path runs; // the arguments, a line for each start of Java
+  private final List<String> before = new ArrayList<>(); // command that starts the script
 
   @BeforeEach
   void build() throws IOException {
@@ -60,6 +61,7 @@ class LauncherTest {
       // A test run under nohup ignores HUP, and a shell cannot trap what it was started ignoring.
       command.addAll(List.of("env", "--default-signal=HUP,INT,TERM"));
     }
+    command.addAll(before);
     command.addAll(List.of("/bin/sh", home.resolve("u2sa").toString()));
     command.addAll(List.of(words));
     ProcessBuilder builder = new ProcessBuilder(command);
@@ -92,6 +94,31 @@ class LauncherTest {
     assertThat(output(process)).isEmpty();
     assertThat(process.waitFor()).isEqualTo(code);
     assertThat(Files.readAllLines(runs)).hasSize(1);
+  }
+
+  private void standInADeletedFolder() throws IOException {
+    String gone = Files.createDirectory(home.resolve("gone")).toString();
+    String script = "cd \"$1\" && rmdir \"$1\" && shift && exec \"$@\"";
+    before.addAll(List.of("/bin/sh", "-c", script, "sh", gone));
+  }
+
+  @Test
+  void estop_currentFolderWasDeleted_isDoneAtHome() throws Exception {
+    standInADeletedFolder();
+    Process process = estop("/bin/pwd -P; exit 6", "exit 5");
+
+    assertThat(output(process)).contains(home.toRealPath().toString());
+    assertThat(process.waitFor()).isEqualTo(6);
+  }
+
+  @Test
+  void demo_currentFolderWasDeleted_saysSo() throws Exception {
+    standInADeletedFolder();
+    Process process = start("exit 6", "exit 5", "demo", "ugv");
+
+    assertThat(output(process)).contains("the current folder no longer exists");
+    assertThat(process.waitFor()).isEqualTo(3);
+    assertThat(runs).doesNotExist();
   }
 
   @Test
