@@ -262,7 +262,7 @@ def climb(table):
         pilot = Pilot(fdm, knots=knots)
         for _ in seconds(40.0):
             pilot.step()
-        # measured some 600 ft above sea level: costs 30 ft/min against our side
+        # measured about 600 ft above sea level: costs 30 ft/min against our side
         start, time = fdm["position/h-sl-ft"], fdm["simulation/sim-time-sec"]
         for _ in seconds(20.0):
             pilot.step()

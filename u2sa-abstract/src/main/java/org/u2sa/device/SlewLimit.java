@@ -4,7 +4,7 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Limits the slew rate of a percentage to protect gears and batteries; one per motor. Not
+ * Limits the slew rate of a percentage to protect gearboxes and batteries; one per motor. Not
  * thread-safe.
  */
 public final class SlewLimit {

@@ -201,7 +201,7 @@ final class ConfigurationResponder {
     try {
       return change.get();
     } catch (RuntimeException e) { // thrown by the service's own check
-      String what = "a change of the configuration could not be checked: " + e;
+      String what = "a configuration change could not be checked: " + e;
       health.error(what);
       service.log(LogLevelEnum.WARN, what);
       return configuration.refuse("the service could not check it: " + e);
@@ -222,7 +222,7 @@ final class ConfigurationResponder {
   }
 
   private void log(ConfigurationOutcome outcome, String author) {
-    String who = author.isEmpty() ? "somebody" : "\"" + author + "\"";
+    String who = author.isEmpty() ? "an unnamed client" : "\"" + author + "\"";
     if (outcome.refusal().equals(Optional.of(TOO_MANY))) {
       if (Long.bitCount(refused) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
         service.log(LogLevelEnum.WARN, TOO_MANY + " (" + refused + " so far, now for " + who + ")");
@@ -249,7 +249,7 @@ final class ConfigurationResponder {
   }
 
   /**
-   * Rate limit of changes: a burst, then a fixed rate, per author and in total, because author
+   * Rate limit on changes: a burst, then a fixed rate, per author and in total, because author
    * names are not authenticated.
    */
   private static final class ChangeRate {

@@ -21,7 +21,8 @@ import org.u2sa.messages.schema.U2SAData;
 
 /** A service's name, variables, clock and log file (thesis 3.2.1.1, 3.2.1.5). */
 final class ServiceConfiguration {
-  private static final double MIN_EXPIRY_S = 1.0; // less would refuse every order, also to raise it
+  private static final double MIN_EXPIRY_S =
+      1.0; // less would refuse every order, even one to raise it
 
   /** Validates service names, which are also names of log files and MQTT clients. */
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9_][A-Za-z0-9 _.-]{0,63}");
@@ -83,7 +84,7 @@ final class ServiceConfiguration {
     return clock;
   }
 
-  /** Age at which orders no longer count [s]; 0: never. */
+  /** Age beyond which orders are ignored [s]; 0: never. */
   double orderExpiryS() {
     return own.orderExpiry() == 0.0 ? 0.0 : Math.max(MIN_EXPIRY_S, own.orderExpiry());
   }

@@ -341,7 +341,7 @@ public abstract class U2SAService extends Thread
     return registerSubscriber(channel);
   }
 
-  /** Age at which orders no longer count, the variable ORDER EXPIRY [s]; 0: never. */
+  /** Age beyond which orders are ignored, the variable ORDER EXPIRY [s]; 0: never. */
   public final double orderExpiryS() {
     return configuration.orderExpiryS();
   }

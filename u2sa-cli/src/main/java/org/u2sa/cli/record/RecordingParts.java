@@ -64,7 +64,7 @@ public final class RecordingParts {
         .filter(Files::isRegularFile);
   }
 
-  /** Remark for a command that reads one file only; empty if it is the whole recording. */
+  /** Note for a command that reads one file only; empty if it is the whole recording. */
   public static Optional<String> othersNotRead(Path file) {
     List<Path> others = new ArrayList<>();
     try {
@@ -72,7 +72,7 @@ public final class RecordingParts {
       List<Path> parts = beginningWith(file);
       others.addAll(parts.subList(1, parts.size()));
     } catch (IOException e) {
-      return Optional.empty(); // of another file; the command reads only this one
+      return Optional.empty(); // the error concerns another file
     }
     return others.isEmpty()
         ? Optional.empty()

@@ -10,11 +10,10 @@ import org.u2sa.messages.frame.Gravity;
 final class LateralGuidance {
 
   private static final double SLOWEST_MPS = 5.0; // ground speed; below it the track is meaningless
-  private static final double CREEPS_MPS =
-      2.0; // ground speed at which turning the track takes long
-  private static final double HEADWAY_MPS = 4.0; // possible ground speed with which tracks are held
-  private static final double WINDY = 0.5; // wind speed, in airspeeds, …
-  private static final double STORMY = 0.75; // … and from which only headway counts
+  private static final double CREEPS_MPS = 2.0; // ground speed; below it only the heading counts
+  private static final double HEADWAY_MPS = 4.0; // attainable; above it only the track counts
+  private static final double WINDY = 0.5; // wind speed as a fraction of airspeed
+  private static final double STORMY = 0.75; // above it only speed made good counts
   private static final double HEADING_S = 4.0; // twice the time constant of a turn to a heading
 
   private final double shortestM;
@@ -45,8 +44,8 @@ final class LateralGuidance {
   }
 
   /**
-   * The same where the wind lets the aircraft make little or no headway, and its track says little:
-   * turns the nose to a heading.
+   * Lateral acceleration that turns the nose to a heading, for winds in which the aircraft makes
+   * little or no headway and its track is no guide [m/s², right positive].
    *
    * @param headingRad heading to turn to
    */
@@ -59,9 +58,9 @@ final class LateralGuidance {
 
   /**
    * Bank to the point [rad, right wing down positive], unlimited, against a wind that may be as
-   * fast as the aircraft: the less headway is possible or made, the more by heading instead of
-   * track. In a wind of more than half the airspeed, headway is what is made towards the point: a
-   * track that leads away from it turns slowly, and to neither side.
+   * fast as the aircraft. The less headway it makes or can make, the more it steers by heading
+   * instead of track. In a wind above half the airspeed, headway means speed made good towards the
+   * point, because a track that leads away from the point turns slowly.
    */
   double bankRad(FlightState state, double northM, double eastM, WindEstimate wind) {
     double course = StrictMath.atan2(eastM, northM);

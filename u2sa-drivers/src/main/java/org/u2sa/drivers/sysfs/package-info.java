@@ -1,5 +1,5 @@
 /**
- * Sensors with Linux kernel drivers, read through sysfs. Sensors on their own link belong to the
- * package of their subject.
+ * Sensors with Linux kernel drivers, read through sysfs. Sensors with a link of their own are in
+ * the package of the quantity that they measure.
  */
 package org.u2sa.drivers.sysfs;

@@ -109,7 +109,7 @@ class ContradictionTest {
     assertThat(filter.resets()).isZero();
   }
 
-  /** A receiver whose errors persist may walk away for a while, too: it takes some 8 s to tell. */
+  /** A receiver whose errors persist may walk away for a while, too: it takes about 8 s to tell. */
   @ParameterizedTest
   @ValueSource(ints = {1, 2, 3, 5, 8, 13, 21, 34, 55, 89})
   void add_deadEncoder_positionGoesOn(int seed) {

@@ -71,7 +71,7 @@ record AuditEntry(
                         "\"%s\" %s → %s",
                         value.variable(), value.before().orElse("?"), value.after()))
             .collect(Collectors.joining(", "));
-    String who = origin.author().isEmpty() ? "somebody" : "\"" + origin.author() + "\"";
+    String who = origin.author().isEmpty() ? "an unnamed client" : "\"" + origin.author() + "\"";
     return who + ": " + what + " (revision " + revision + ")";
   }
 

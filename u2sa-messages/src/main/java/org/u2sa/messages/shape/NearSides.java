@@ -6,19 +6,19 @@ import java.util.List;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Counts sides of areas that are near each other. Moving the borders by a distance (a buffer) takes
- * some 30 µs for each pair nearer than twice that, and memory, so hostile areas are recognised
- * beforehand.
+ * Counts sides of areas that are near each other. Buffering the borders costs about 30 µs, and
+ * memory, for each pair of sides closer than twice the buffer distance; areas with too many such
+ * pairs are therefore detected first.
  */
 public final class NearSides {
-  private static final long MAX_COMPARED = 10_000_000; // some 0.1 s
+  private static final long MAX_COMPARED = 10_000_000; // about 0.1 s
 
   private NearSides() {}
 
   /**
-   * Number of pairs nearer to each other than a distance; counting ends above a limit, with a
-   * number above it also if too many pairs would have to be compared. Pairs of one convex border do
-   * not count, and those of two only if they cross.
+   * Number of pairs closer to each other than a distance. Stops at more than the limit, and returns
+   * more than the limit if too many pairs would have to be compared. Pairs within one convex border
+   * are not counted; pairs of two convex borders are counted only if they cross.
    *
    * @param borders corners of closed borders, in order [m]; z is ignored
    */

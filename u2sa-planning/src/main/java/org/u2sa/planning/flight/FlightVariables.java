@@ -21,11 +21,11 @@ public record FlightVariables(
         double approachAccuracy,
     @Variable(unit = "m", min = 0, max = 10000, ifAbsent = 40)
         @Description(
-            "Minimum height above the ground from which it took off at which an aeroplane (with TURN ACCELERATION and LOITER RADIUS) circles, or flies to goals without altitude. Below half of it, an aeroplane that holds or breaks off a take-off or landing climbs straight ahead first. 0: none.")
+            "Minimum height above the take-off point at which an aeroplane (with TURN ACCELERATION and LOITER RADIUS) circles, or flies to goals without altitude. Below half of it, an aeroplane that holds or breaks off a take-off or landing climbs straight ahead first. 0: none.")
         double minHoldHeight,
     @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 60)
         @Description(
-            "Time in which an aeroplane makes no headway towards its navigation point, as in a wind faster than itself, after which it gives a goal up, except on its way home; it is reported after half of it. 0: not watched.")
+            "Time without headway towards the navigation point, for example in a wind faster than the airspeed, after which an aeroplane abandons its goal, except on its way home. A warning is given after half of it. 0: not watched.")
         double headwayTime,
     @Variable(unit = "m/s", min = 0.1, max = 5, ifAbsent = 0.5)
         @Description("Sink rate at which a multirotor touches down.")

@@ -9,8 +9,8 @@ import org.u2sa.report.page.Chart;
 import org.u2sa.report.page.Trace;
 
 /**
- * Age of messages at the recorder, by channel, counted from the time of measurement. In simulated
- * time, which stops while services work, it consists of the steps in between.
+ * Age of messages at the recorder, by channel, counted from the time of measurement. Simulated time
+ * does not advance while services compute: there, the age is the sum of the steps in between.
  */
 final class HopLatency {
   private static final double MILLIS = 1e3;

@@ -5,7 +5,7 @@ public enum Domain {
   /**
    * An aircraft, over kilometres. After flying over a waypoint it needs some distance to settle on
    * the next leg: one radius of a coordinated turn, r = V² / (g tan φ) = 636 m at 60 m/s and 30° of
-   * bank, plus some 360 m for rolling in and out (3 s each).
+   * bank, plus about 360 m for rolling in and out (3 s each).
    */
   AIR(1000.0, 500.0, "flown"),
   /**

@@ -11,7 +11,7 @@ import java.util.List;
  */
 public final class Track {
 
-  /** Capacity for two hours at 20 Hz, some 20 MB. */
+  /** Capacity for two hours at 20 Hz, about 20 MB. */
   public static final int DEFAULT_CAPACITY = 150_000;
 
   private static final int MIN_CAPACITY = 4;

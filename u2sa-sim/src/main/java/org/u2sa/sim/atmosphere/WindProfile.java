@@ -3,7 +3,7 @@ package org.u2sa.sim.atmosphere;
 import org.u2sa.sim.motion.Arguments;
 
 /**
- * Growth of the steady wind with height above ground.
+ * Wind profile: increase of the mean wind speed with height above ground.
  *
  * @param law its formula
  * @param parameter roughness length of the logarithmic law [m], or exponent of the power law

@@ -14,7 +14,7 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Footprint;
 import org.u2sa.sim.world.World;
 
-/** An aircraft read from a file of JSBSim (docs/vehicle-files.md). Immutable. */
+/** An aircraft read from a JSBSim file (docs/vehicle-files.md). Immutable. */
 public final class JsbsimAircraft {
   private static final double SETTLES_S = 20.0;
   private static final double SURFACES_MOVE_S = 600.0;
@@ -94,7 +94,7 @@ public final class JsbsimAircraft {
         : OptionalDouble.empty();
   }
 
-  /** Elements of the file that have no effect, with their lines. */
+  /** Ignored elements of the file, with line numbers. */
   public List<String> ignored() {
     return List.copyOf(ignored);
   }

@@ -60,7 +60,7 @@ class GroundTest {
   void step_rightPedal_turnsTaxiingRight() {
     Cessna172 aircraft = rolling(4.0, 0.0);
     aircraft.step(ControlInputs.neutral().withSurfaces(0.0, 0.0, 1.0).withThrottle(0.2), 5.0);
-    // a wheel base of 1.65 m and 10° of steering: radius 9.4 m, some 0.4 rad/s at 4 m/s
+    // a wheel base of 1.65 m and 10° of steering: radius 9.4 m, about 0.4 rad/s at 4 m/s
     assertThat(aircraft.state().yawRateRadPerS()).isBetween(0.15, 0.6);
   }
 

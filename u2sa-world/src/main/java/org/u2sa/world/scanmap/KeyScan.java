@@ -6,19 +6,19 @@ import org.u2sa.messages.RangeScan;
 final class KeyScan {
   private final ScanPoints points;
   private final RangeScan scan;
-  private final double way;
+  private final double drivenM;
   private Pose2 pose;
 
   /**
    * @param points echoes in the vehicle's axes
    * @param scan the scan itself, from which to rebuild the grid
-   * @param way distance driven so far [m]
+   * @param drivenM distance driven so far [m]
    */
-  KeyScan(Pose2 pose, ScanPoints points, RangeScan scan, double way) {
+  KeyScan(Pose2 pose, ScanPoints points, RangeScan scan, double drivenM) {
     this.pose = pose;
     this.points = points;
     this.scan = scan;
-    this.way = way;
+    this.drivenM = drivenM;
   }
 
   Pose2 pose() {
@@ -37,7 +37,7 @@ final class KeyScan {
     return scan;
   }
 
-  double way() {
-    return way;
+  double drivenM() {
+    return drivenM;
   }
 }

@@ -13,7 +13,7 @@ final class LoopSearch {
   /** A candidate: the newest key scan relative to an earlier one. */
   record Closure(int from, int to, Pose2 step, double[] information) {}
 
-  private static final double MIN_WAY_M = 12.0; // distance driven between two visits
+  private static final double MIN_DRIVEN_M = 12.0; // distance driven between two visits
   private static final double MAX_RADIUS_M = 12.0;
   private static final double BASE_RADIUS_M = 1.5;
   private static final double SIGMAS = 3.0;
@@ -30,7 +30,7 @@ final class LoopSearch {
       4.0; // by which the other one is farther from the expected pose
   private static final double AGREE_M = 0.35;
   private static final double AGREE_RAD = 0.06;
-  private static final double PENDING_WAY_M = 5.0;
+  private static final double PENDING_M = 5.0;
   private static final double STEP_M = 0.7; // distance between searches [m]
   private static final double PAUSE_M =
       3.0; // minimum distance after a closure before another one to the same visit [m]
@@ -40,7 +40,7 @@ final class LoopSearch {
   private final LocalMap map;
   private final PlaceSearch places = new PlaceSearch();
   private final List<Closure> pending = new ArrayList<>();
-  private double searchedWay = Double.NEGATIVE_INFINITY;
+  private double searchedM = Double.NEGATIVE_INFINITY;
   private final List<Closure> confirmed = new ArrayList<>();
   private long tried;
 
@@ -54,17 +54,17 @@ final class LoopSearch {
   List<Closure> search(List<KeyScan> keys, double[] covariance) {
     int newest = keys.size() - 1;
     KeyScan now = keys.get(newest);
-    pending.removeIf(each -> now.way() - keys.get(each.to()).way() > PENDING_WAY_M);
-    if (now.way() - searchedWay < STEP_M) {
+    pending.removeIf(each -> now.drivenM() - keys.get(each.to()).drivenM() > PENDING_M);
+    if (now.drivenM() - searchedM < STEP_M) {
       return List.of();
     }
-    searchedWay = now.way();
+    searchedM = now.drivenM();
     double sigma = Matrix3.largestSigma(covariance);
     double radius = Math.min(MAX_RADIUS_M, BASE_RADIUS_M + SIGMAS * sigma);
     double turn = Math.min(MAX_TURN, 0.1 + SIGMAS * Math.sqrt(covariance[8]));
     List<Integer> near = new ArrayList<>();
     for (int i = 0; i < newest; i++) {
-      if (now.way() - keys.get(i).way() > MIN_WAY_M
+      if (now.drivenM() - keys.get(i).drivenM() > MIN_DRIVEN_M
           && keys.get(i).pose().distance(now.pose()) < radius + 1.0) {
         near.add(i);
       }
@@ -72,8 +72,9 @@ final class LoopSearch {
     near.sort(Comparator.comparingDouble(i -> keys.get(i).pose().distance(now.pose())));
     List<Integer> visits = new ArrayList<>(); // the nearest key scan of each visit
     for (int candidate : near) {
-      double way = keys.get(candidate).way();
-      if (visits.stream().noneMatch(i -> Math.abs(keys.get(i).way() - way) < NEIGHBOURS_M)) {
+      double drivenM = keys.get(candidate).drivenM();
+      if (visits.stream()
+          .noneMatch(i -> Math.abs(keys.get(i).drivenM() - drivenM) < NEIGHBOURS_M)) {
         visits.add(candidate);
       }
     }
@@ -89,12 +90,12 @@ final class LoopSearch {
 
   /** Whether the loop to that visit has just been closed. */
   private boolean isClosed(List<KeyScan> keys, int candidate) {
-    double way = keys.get(keys.size() - 1).way();
+    double drivenM = keys.get(keys.size() - 1).drivenM();
     return confirmed.stream()
         .anyMatch(
             each ->
-                way - keys.get(each.to()).way() < PAUSE_M
-                    && Math.abs(keys.get(each.from()).way() - keys.get(candidate).way())
+                drivenM - keys.get(each.to()).drivenM() < PAUSE_M
+                    && Math.abs(keys.get(each.from()).drivenM() - keys.get(candidate).drivenM())
                         < NEIGHBOURS_M);
   }
 
@@ -106,7 +107,7 @@ final class LoopSearch {
         pending.remove(other);
         confirmed.add(closure);
         confirmed.removeIf(
-            each -> keys.get(closure.to()).way() - keys.get(each.to()).way() > PAUSE_M);
+            each -> keys.get(closure.to()).drivenM() - keys.get(each.to()).drivenM() > PAUSE_M);
         return;
       }
     }
@@ -131,13 +132,13 @@ final class LoopSearch {
     List<KeyScan> around = new ArrayList<>();
     for (int i = 0; i < newest; i++) {
       KeyScan key = keys.get(i);
-      if (Math.abs(key.way() - keys.get(candidate).way()) <= NEIGHBOURS_M
-          && now.way() - key.way() > MIN_WAY_M) {
+      if (Math.abs(key.drivenM() - keys.get(candidate).drivenM()) <= NEIGHBOURS_M
+          && now.drivenM() - key.drivenM() > MIN_DRIVEN_M) {
         around.add(key);
       }
     }
     List<KeyScan> latest = new ArrayList<>();
-    for (int i = newest; i >= 0 && now.way() - keys.get(i).way() <= JOINED_M; i--) {
+    for (int i = newest; i >= 0 && now.drivenM() - keys.get(i).drivenM() <= JOINED_M; i--) {
       latest.add(keys.get(i));
     }
     ScanPoints joined = ScanPoints.joined(latest, now.pose());
