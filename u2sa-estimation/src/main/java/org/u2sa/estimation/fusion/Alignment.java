@@ -7,6 +7,8 @@ import org.u2sa.estimation.rotation.Quaternions;
  * uncertainty.
  */
 final class Alignment {
+  private static final double MISLED_RADPS = 0.1; // step of a gyroscope's bias, 1 σ
+
   private Alignment() {}
 
   /** Initialises a state about which nothing is known yet. */
@@ -33,6 +35,17 @@ final class Alignment {
   static void wheelScale(FilterState s, FilterTuning tuning) {
     s.x[FilterState.WHEEL_SCALE] = 0.0;
     s.isolate(FilterState.SCALE, square(tuning.wheelScaleSigma()));
+  }
+
+  /**
+   * Lets a gyroscope's bias be learnt again: a step of it turns the attitude away from every other
+   * source, which would be rejected as long as the bias counted as known.
+   */
+  static void gyroBias(FilterState s, int axis) {
+    int at = FilterState.GYRO_BIAS + axis;
+    if (s.isInertial && s.variance(at) < square(MISLED_RADPS)) {
+      s.isolate(at, square(MISLED_RADPS));
+    }
   }
 
   private static double square(double value) {

@@ -214,6 +214,10 @@ final class Fuser {
     } else if (nis > gates[linear.rows]) {
       boolean mustGiveWay = judge.gated(s, linear, source, quantity, at);
       mustGiveWay |= isHeading && isTurnDoubted(s, at);
+      if (contradiction.isOfGyroscopes(s)) {
+        contradiction.reopenGyroscopes(s);
+        return;
+      }
       if (InertialContradiction.isOfMotion(quantity) && contradiction.isShown(s)) {
         contradiction.reopen(s);
         contradiction.admit(s);

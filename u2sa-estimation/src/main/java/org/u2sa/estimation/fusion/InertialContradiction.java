@@ -5,9 +5,10 @@ import java.util.List;
 import org.u2sa.estimation.measurement.SensedQuantity;
 
 /**
- * Recovers from a tilt that was learned from a wrong position or speed. An inertial velocity drifts
- * with the tilt's error, so correcting only the velocity does not help: until the tilt and the
- * force bias may change again, the velocity runs away from every other source.
+ * Recovers from a tilt that was learned from a wrong position or speed, or that gyroscopes whose
+ * bias has changed turn away. An inertial velocity drifts with the tilt's error, so correcting only
+ * the velocity does not help: until the tilt and the biases may change again, the velocity runs
+ * away from every other source.
  */
 final class InertialContradiction {
   private static final double SINCE_S = 0.5; // minimum duration of a contradiction
@@ -40,16 +41,53 @@ final class InertialContradiction {
   private boolean contradicts(FilterState s, int source) {
     for (int q = 0; q < SensedQuantity.count(); q++) {
       SensedQuantity quantity = SensedQuantity.at(q);
-      if (isOfMotion(quantity) && trust.isKnown(source, quantity)) {
-        int at = trust.of(s, source, quantity);
-        boolean isRecent = isRecent(s, s.trust[at + SourceTrust.STREAK_SINCE]);
-        boolean isLeftOut = quantity.isPlace() && s.trust[at + SourceTrust.IS_BIASED] != 0.0;
-        if (isRecent && !isLeftOut && s.trust[at + SourceTrust.STREAK] >= MIN_STREAK) {
-          return true;
-        }
+      if (isOfMotion(quantity) && contradicts(s, source, quantity)) {
+        return true;
       }
     }
     return false;
+  }
+
+  private boolean contradicts(FilterState s, int source, SensedQuantity quantity) {
+    if (!trust.isKnown(source, quantity)) {
+      return false;
+    }
+    int at = trust.of(s, source, quantity);
+    boolean isLeftOut = quantity.isPlace() && s.trust[at + SourceTrust.IS_BIASED] != 0.0;
+    return !isLeftOut
+        && isRecent(s, s.trust[at + SourceTrust.STREAK_SINCE])
+        && s.trust[at + SourceTrust.STREAK] >= MIN_STREAK;
+  }
+
+  /**
+   * Whether an aircraft's measured roll and pitch, and another source, have begun to contradict
+   * what its gyroscopes say within the reset time: their bias has changed.
+   */
+  boolean isOfGyroscopes(FilterState s) {
+    boolean hasTilt = false;
+    int contradicting = 0;
+    boolean isPossible = s.isInertial && tuning.domain() == MotionDomain.AIR;
+    for (int source = 0; isPossible && source < trust.sources(); source++) {
+      boolean ofTilt = contradicts(s, source, SensedQuantity.TILT);
+      hasTilt |= ofTilt;
+      boolean others = contradicts(s, source, SensedQuantity.HEADING) || contradicts(s, source);
+      contradicting += ofTilt || others ? 1 : 0;
+    }
+    return hasTilt && contradicting >= MIN_SOURCES;
+  }
+
+  /** Lets attitude and biases be learnt again, and ends what contradicted them. */
+  void reopenGyroscopes(FilterState s) {
+    reopen(s);
+    s.isolate(FilterState.ATTITUDE + 2, MISLED_RAD * MISLED_RAD);
+    for (int source = 0; source < trust.sources(); source++) {
+      for (SensedQuantity quantity : List.of(SensedQuantity.TILT, SensedQuantity.HEADING)) {
+        if (trust.isKnown(source, quantity)) {
+          s.trust[trust.of(s, source, quantity) + SourceTrust.STREAK] = 0.0;
+        }
+      }
+    }
+    admit(s);
   }
 
   private boolean isRecent(FilterState s, double sinceMicros) {
@@ -62,8 +100,8 @@ final class InertialContradiction {
   }
 
   /**
-   * Returns velocity, tilt, force bias, wheel scale and delays to their initial uncertainty.
-   * Vehicles other than aircraft are levelled again by their specific force, which does not show an
+   * Returns velocity, tilt, biases, wheel scale and delays to their initial uncertainty. Vehicles
+   * other than aircraft are levelled again by their specific force, which does not show an
    * aircraft's bank.
    */
   void reopen(FilterState s) {
@@ -73,6 +111,7 @@ final class InertialContradiction {
       s.x[FilterState.BF + i] = 0.0;
       s.isolate(FilterState.FORCE_BIAS + i, tuning.forceBiasSigma() * tuning.forceBiasSigma());
       s.x[FilterState.LEVELLING + i] = 0.0;
+      Alignment.gyroBias(s, i);
     }
     Alignment.wheelScale(s, tuning);
     DelayErrors.reopen(s, tuning);

@@ -35,10 +35,13 @@ final class QuantityStart {
       case HEADING:
         Alignment.heading(
             s, m.value(quantity, 0), factor * m.sigma(quantity, 0) * m.sigma(quantity, 0));
+        Alignment.gyroBias(s, 2);
         PersistentErrors.share(s, slot);
         break;
       case TILT:
         s.hasTilt = false;
+        Alignment.gyroBias(s, 0);
+        Alignment.gyroBias(s, 1);
         break;
       case VELOCITY:
       case BODY_VELOCITY:
