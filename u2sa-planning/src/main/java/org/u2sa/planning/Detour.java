@@ -40,6 +40,12 @@ final class Detour {
     return avoidance.isBlocked(vehicle, state, to);
   }
 
+  /** Whether the straight way of a vehicle on a surface leads to something that stands or moves. */
+  boolean isOccupied(Vehicle vehicle, StateInformation state, Place to) {
+    return avoidance.isOn()
+        && (avoidance.comesTraffic(vehicle, state, to) || avoidance.isOccupied(vehicle, state, to));
+  }
+
   /** Whether something blocks the straight way to a position. */
   boolean isHindered(Vehicle vehicle, StateInformation state, Place to) {
     return avoidance.isOn() && avoidance.isHindered(vehicle, state, to);

@@ -63,6 +63,7 @@ public class PathPlanner extends EventDrivenService {
   private final Avoidance avoidance;
   private final RightOfWayWatch rightOfWay;
   private final BlindStand blind;
+  private final Detour detour;
   private final FlightChecks checks;
   private final TakeOffWatch takeOff = new TakeOffWatch();
   private final GoalReports reports;
@@ -102,7 +103,7 @@ public class PathPlanner extends EventDrivenService {
         new GoalReports(
             report -> publish(Channels.GOAL_REPORTS, report),
             () -> settings.get().reportIntervalMicros());
-    Detour detour = new Detour(avoidance);
+    detour = new Detour(avoidance);
     Settings<FlightVariables> flight = settings(FlightVariables.class);
     ground = new GroundStay(flight, this::isAeroplane);
     StationCircle circle =
@@ -501,7 +502,19 @@ public class PathPlanner extends EventDrivenService {
       return ground.points(vehicle);
     }
     boolean holds = orders.failsafe() == FailsafeAction.RETURN || settings.get().holdsAtEnd();
+    if (holdAt.isPresent() && isTaken(holdAt.get(), vehicle, state)) {
+      holdAt = Optional.empty(); // it holds here
+      end.leave();
+    }
     return holds ? hold(state, holdAt) : checks.hovering(List.of(), state);
+  }
+
+  /** Whether a vehicle on a surface would come to something on its way to where it holds. */
+  private boolean isTaken(Place place, Vehicle vehicle, StateInformation state) {
+    return settings.get().loiterRadius() == 0.0
+        && place.isHorizontal()
+        && !detour.isOfAircraftThatStops(state)
+        && detour.isOccupied(vehicle, state, place);
   }
 
   private void publish(List<NavigationPoint> points, StateInformation state) {

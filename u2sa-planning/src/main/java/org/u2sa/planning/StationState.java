@@ -180,7 +180,11 @@ final class StationState implements PlannerState {
       point = way.point(leg, to.z(), turn(station, vehicle), station, vehicle, settings.get());
     } else {
       Point target = phase == Phase.TRANSIT ? start : to;
-      point = towards(target, isBerth ? Optional.empty() : Optional.of(place), station, vehicle);
+      boolean stays = !isOnStraightWay && mustStay(vehicle, pursuit.state(), wanted);
+      point =
+          stays
+              ? towards(Point.ORIGIN, Optional.empty(), station, vehicle).speed(0.0)
+              : towards(target, isBerth ? Optional.empty() : Optional.of(place), station, vehicle);
     }
     return progress(station, vehicle, to, List.of(point));
   }
@@ -197,12 +201,25 @@ final class StationState implements PlannerState {
             ? isFar && detour.isBlocked(vehicle, state, wanted.target())
             : detour.isPossible()
                 && toGoM > wanted.thresholdM()
-                && (isFar || detour.isHindered(vehicle, state, wanted.target()));
+                && (isFar
+                    || detour.isHindered(vehicle, state, wanted.target())
+                    || detour.isOccupied(vehicle, state, wanted.target()));
     if (routes && !isRouted) {
       detour.begin();
     }
     isRouted = routes;
     return routes;
+  }
+
+  /**
+   * Whether a vehicle within the threshold stays where it is, because something stands or moves at
+   * the place itself.
+   */
+  private boolean mustStay(Vehicle vehicle, StateInformation state, Avoidance.Wanted wanted) {
+    Place place = wanted.target();
+    return !detour.isOfAircraftThatStops(state)
+        && length(vehicle.nedOf(place)) <= wanted.thresholdM()
+        && detour.isOccupied(vehicle, state, place);
   }
 
   /** Where it goes: to the station, or to the start of its straight way. */

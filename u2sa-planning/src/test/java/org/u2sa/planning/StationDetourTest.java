@@ -39,7 +39,7 @@ class StationDetourTest extends PlannedVehicle {
 
   @BeforeEach
   void start() {
-    kit.with("PLANNER", "GRID").start(PathPlanner::new);
+    kit.with("PLANNER", "GRID").with("AT END", "HOLD").start(PathPlanner::new);
   }
 
   private void sees(double north, double east) {
@@ -98,6 +98,44 @@ class StationDetourTest extends PlannedVehicle {
 
     assertThat(point().y()).isCloseTo(0.0, within(0.05));
     assertThat(point().x()).isGreaterThan(0.5);
+  }
+
+  @Test
+  void station_poleStandsAtIt_theVehicleStaysWhereItIsWithinTheThreshold() {
+    pole = pole(20, 0.5);
+    Station station = station();
+    station.horizontalThreshold(2.5);
+    goals(station);
+    for (int i = 0; i < 5; i++) {
+      sees(18.0, 0.0);
+    }
+
+    assertThat(point().distance()).isCloseTo(0.0, within(1.0e-9));
+    assertThat(kit.latest(Channels.NAVIGATION).orElseThrow().speed()).hasValue(0.0);
+  }
+
+  @Test
+  void station_nothingStandsAtIt_theVehicleGoesToItsCentre() {
+    Station station = station();
+    station.horizontalThreshold(2.5);
+    goals(station);
+    sees(18.0, 0.0);
+
+    assertThat(point().x()).isCloseTo(2.0, within(1.0e-6));
+  }
+
+  @Test
+  void atEnd_poleStandsWhereItWouldHold_staysWhereItIs() {
+    pole = pole(20, 0.5);
+    goals(waypoint("1", 20, 0).horizontalThreshold(2.5));
+    sees(16.0, 0.0);
+    sees(18.0, 0.0);
+    sees(18.1, 0.0);
+    goals();
+    sees(18.1, 0.0);
+
+    assertThat(kit.published(Channels.GOAL_REPORTS)).as("reached").isNotEmpty();
+    assertThat(point().distance()).isCloseTo(0.0, within(0.05));
   }
 
   @Test

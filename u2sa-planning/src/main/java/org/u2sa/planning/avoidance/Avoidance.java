@@ -214,6 +214,16 @@ public final class Avoidance {
     return blocker(vehicle, state, vehicle.nedOf(to)).isPresent();
   }
 
+  /** Whether a vehicle on a surface that moves straight to a position comes to what stands. */
+  public boolean isOccupied(Vehicle vehicle, StateInformation state, Place to) {
+    AvoidanceVariables now = settings.get();
+    lieOn(world.plane(state));
+    Point at = vehicle.on(plane);
+    Point way = vehicle.nedOf(to);
+    world.update(state, at.x(), at.y(), at.z(), at.z() + way.z());
+    return straight.isOccupied(vehicle, at, way, body(now), now);
+  }
+
   private Optional<String> blocker(Vehicle vehicle, StateInformation state, Point way) {
     AvoidanceVariables now = settings.get();
     lieOn(world.plane(state));

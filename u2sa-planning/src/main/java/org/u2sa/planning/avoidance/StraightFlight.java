@@ -7,10 +7,11 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.search.BodyDiscs;
+import org.u2sa.planning.search.CostGrid;
 import org.u2sa.planning.seen.PlanarShape;
 import org.u2sa.planning.seen.SeenWorld;
 
-/** Checks straight ways of an aircraft for obstacles and traffic. */
+/** Checks straight ways for obstacles and traffic. */
 final class StraightFlight {
   /** Height above the landing position below which obstacles are not checked [m]. */
   private static final double LOWEST_M = 2.0;
@@ -22,6 +23,7 @@ final class StraightFlight {
 
   private static final double CHECK_M = 0.5; // distance between positions of a checked way
   private static final double CLOSER_M = 0.1; // smaller approaches are free
+  private static final double ROUNDING_M = 1.0e-6;
   private static final double REACH_M = 300.0; // a way is checked so far ahead
 
   private final SeenWorld world;
@@ -84,6 +86,37 @@ final class StraightFlight {
         return true;
       }
       alongM += Math.max(0.0, awayM - keptM - CHECK_M); // nothing is closer up to there
+    }
+    return false;
+  }
+
+  /**
+   * Whether a vehicle on a surface that moves straight comes too close to an occupied cell, and
+   * closer than it is.
+   *
+   * @param at vehicle on the planning plane [m]
+   * @param way north and east to its end [m]
+   */
+  boolean isOccupied(Vehicle vehicle, Point at, Point way, BodyDiscs body, AvoidanceVariables now) {
+    CostGrid grid = world.costs();
+    double headingRad = vehicle.headingRad();
+    double courseRad = Math.atan2(way.y(), way.x());
+    double touchM = now.touchM(grid.frame().cellM());
+    double hereM = body.clearanceM(grid, at.x(), at.y(), headingRad);
+    double leastM = Math.max(0.0, Math.min(touchM, hereM - ROUNDING_M)); // no less if it touches
+    double lengthM = Math.hypot(way.x(), way.y());
+    double steps = Math.ceil(Math.min(lengthM, REACH_M) / grid.frame().cellM());
+    for (double i = 1.0; i <= steps; i++) {
+      double share = i / steps * Math.min(1.0, REACH_M / lengthM);
+      double north = at.x() + share * way.x();
+      double east = at.y() + share * way.y();
+      double awayM =
+          Math.min(
+              body.clearanceM(grid, north, east, headingRad),
+              body.clearanceM(grid, north, east, courseRad));
+      if (awayM < leastM) {
+        return true;
+      }
     }
     return false;
   }
