@@ -7,7 +7,6 @@ import java.util.function.DoubleBinaryOperator;
 import org.u2sa.interfaces.terrain.HeightGrid;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.safety.FenceState;
 import org.u2sa.planning.guidance.Place;
@@ -26,14 +25,14 @@ final class VerticalEvasion {
   private static final double SAME_M = 1.0; // deviations below this count as level
   private static final long LASTS_MICROS = 10 * Clock.MICROS_PER_SECOND;
 
-  private final Optional<HeightGrid> terrain;
+  private final GroundMap ground;
   private final BiConsumer<String, Boolean> say;
   private Optional<FenceState> fence = Optional.empty();
   private int direction; // direction of the last evasion: 1 up, −1 down
   private long lastMicros = Long.MIN_VALUE / 2;
 
   VerticalEvasion(Optional<HeightGrid> terrain, BiConsumer<String, Boolean> say) {
-    this.terrain = terrain;
+    ground = new GroundMap(terrain);
     this.say = say;
   }
 
@@ -74,11 +73,14 @@ final class VerticalEvasion {
     double groundM = Double.isNaN(below) ? clearance : Math.min(keptM, below - at.z());
     // Beyond the map there may be a hill: do not descend.
     double beyond = Double.isNaN(below) ? Double.NaN : at.z() + groundM;
-    DoubleBinaryOperator ground =
+    DoubleBinaryOperator groundOrBeyond =
         (north, east) -> {
           double mapped = groundDownM(plane, north, east, spot);
           return Double.isNaN(mapped) ? beyond : mapped;
         };
+    double atGoal = groundDownM(plane, at.x() + toGoal.x(), at.y() + toGoal.y(), spot);
+    double goalM = Double.isNaN(atGoal) ? clearance : atGoal - at.z() - toGoal.z();
+    double levelM = Math.min(groundM, Math.max(LOW_M, goalM));
     bottom = Double.isNaN(below) ? bottom : Math.min(bottom, below - groundM);
     OptionalDouble ceiling = fence.map(FenceState::highest).orElse(OptionalDouble.empty());
     if (ceiling.isPresent()) {
@@ -95,11 +97,12 @@ final class VerticalEvasion {
             now.evasionClimb(),
             clearance,
             groundM,
+            levelM,
             now.body(false).circleM() + now.clearance(),
             top,
             bottom,
             world.shapesElsewhere(),
-            ground,
+            groundOrBeyond,
             direction));
   }
 
@@ -108,12 +111,7 @@ final class VerticalEvasion {
         && Math.hypot(north - spot.get().x(), east - spot.get().y()) < KnownGround.REACH_M) {
       return spot.get().z();
     }
-    if (terrain.isEmpty() || !plane.onEarth()) {
-      return Double.NaN;
-    }
-    Point place = plane.point(north, east, 0.0);
-    OptionalDouble altitude = terrain.get().altitudeM(new Geodetic(place.x(), place.y(), 0.0));
-    return altitude.isPresent() ? downM(plane, altitude.getAsDouble()) : Double.NaN;
+    return ground.downM(plane, north, east);
   }
 
   /** Down coordinate of an altitude: above sea level, or up in the local frames [m]. */

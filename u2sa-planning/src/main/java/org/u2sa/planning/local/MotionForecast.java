@@ -86,7 +86,7 @@ final class MotionForecast {
       at = at.along(Math.copySign(v * stepS, startMps), 0.0);
       double down = downM(toDownM, t);
       tally.look(at, down, t);
-      if (isBlockedElsewhere(at, down, toDownM)) {
+      if (!Double.isNaN(toDownM) && room != null && room.isBlocked(at, down)) {
         return tally.outcome(0.0);
       }
     }
@@ -166,7 +166,7 @@ final class MotionForecast {
           freeM = Math.max(0.0, gone - step);
         }
       }
-      if (freeM == NEVER && isBlockedElsewhere(at, downM(motion.toDownM(), t), motion.toDownM())) {
+      if (freeM == NEVER && isBlockedElsewhere(at, downM(motion.toDownM(), t), motion, gone)) {
         freeM = Math.max(0.0, gone - step);
       }
       if (looks && t <= limits.horizonS()) {
@@ -230,12 +230,15 @@ final class MotionForecast {
   /** Whether a vehicle that cannot stop can circle to either side at the end of an arc. */
   boolean canCircleAfter(Motion motion) {
     Pose from = start.along(motion.sign() * motion.arcM(), motion.curvature());
+    double downM = downM(motion.toDownM(), motion.arcM() / motion.speedMps());
     double radius = 1.1 * limits.turnRadiusM();
     double step = Math.max(costs.frame().cellM(), 0.1 * radius);
     for (int side = -1; side <= 1; side += 2) {
       boolean free = true;
       for (double gone = 0.0; gone < 2.0 * Math.PI * radius && free; gone += step) {
-        free = clearanceM(from.along(gone, side / radius)) >= limits.touchM();
+        Pose at = from.along(gone, side / radius);
+        boolean isLow = room != null && room.isGroundNear(at, downM);
+        free = clearanceM(at) >= limits.touchM() && !isLow;
       }
       if (free) {
         return true;
@@ -244,9 +247,19 @@ final class MotionForecast {
     return false;
   }
 
-  /** Whether a climb or descent leads to obstacles at other altitudes. */
-  private boolean isBlockedElsewhere(Pose at, double downM, double toDownM) {
-    return room != null && !Double.isNaN(toDownM) && room.isBlocked(at, downM);
+  /**
+   * Whether a climb or descent leads to obstacles at other altitudes, or a motion off the route to
+   * rising ground: a vehicle that cannot stop may turn away from it after the arc.
+   */
+  private boolean isBlockedElsewhere(Pose at, double downM, Motion motion, double gone) {
+    if (room == null) {
+      return false;
+    }
+    if (!Double.isNaN(motion.toDownM())) {
+      return room.isBlocked(at, downM);
+    }
+    boolean matters = motion.track() == null && (limits.stops() || gone <= motion.arcM());
+    return matters && room.isGroundNear(at, downM);
   }
 
   private double clearanceM(Pose at) {

@@ -13,7 +13,8 @@ import org.u2sa.planning.seen.PlanarShape;
  * @param goalDownM altitude of its goal, to which it climbs or descends unless it evades
  * @param rateMps rate at which it climbs and descends [m/s], above 0
  * @param clearanceM distance to keep above and below [m], above 0
- * @param groundM distance to keep from the ground [m]
+ * @param groundM distance to keep from the ground in an evasion up or down [m]
+ * @param levelM likewise in one to the altitude of the goal, which may be lower [m]
  * @param besideM distance to keep beside obstacles at other altitudes [m]
  * @param topDownM highest altitude allowed; −∞ without a limit
  * @param bottomDownM lowest altitude allowed; ∞ if unknown
@@ -27,6 +28,7 @@ public record VerticalRoom(
     double rateMps,
     double clearanceM,
     double groundM,
+    double levelM,
     double besideM,
     double topDownM,
     double bottomDownM,
@@ -44,6 +46,7 @@ public record VerticalRoom(
         rateMps,
         clearanceM,
         groundM,
+        levelM,
         besideM,
         Math.max(topDownM, downM),
         bottomDownM,
@@ -64,6 +67,12 @@ public record VerticalRoom(
   double afterM(double toDownM, double seconds) {
     double change = rateMps * Math.max(0.0, seconds);
     return downM + Math.max(-change, Math.min(change, toDownM - downM));
+  }
+
+  /** Whether known ground is too close to a vehicle that keeps to the altitude of its goal. */
+  boolean isGroundNear(Pose at, double atDownM) {
+    double groundDownM = ground.applyAsDouble(at.northM(), at.eastM());
+    return atDownM + levelM > groundDownM + ROUNDING_M; // false where the ground is unknown
   }
 
   /** Whether the ground or an obstacle at another altitude is too close. */

@@ -46,6 +46,7 @@ class HoverMotionsTest {
             2.0,
             5.0,
             KEPT_M,
+            KEPT_M,
             1.0,
             -HIGH_M,
             Double.POSITIVE_INFINITY,

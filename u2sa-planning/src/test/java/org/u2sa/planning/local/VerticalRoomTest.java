@@ -7,6 +7,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.DoubleBinaryOperator;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.route.Route;
 import org.u2sa.planning.search.BodyDiscs;
@@ -65,6 +67,7 @@ class VerticalRoomTest {
         HERE,
         HERE,
         3.0,
+        CLEARANCE,
         CLEARANCE,
         CLEARANCE,
         3.0,
@@ -218,5 +221,80 @@ class VerticalRoomTest {
     assertThat(choice.kind()).isEqualTo(ArcChoice.Kind.EVADE);
     assertThat(Math.atan2(choice.eastM(), choice.northM())).isLessThan(0.5);
     assertThat(choice.toDownM()).isLessThan(HERE);
+  }
+
+  /** Level ground 20 m below, which rises to the right at a slope of 2:1. */
+  private static VerticalRoom slope(double levelM) {
+    return new VerticalRoom(
+        HERE,
+        HERE,
+        3.0,
+        CLEARANCE,
+        CLEARANCE,
+        levelM,
+        3.0,
+        -200.0,
+        -10.0,
+        List.of(),
+        (north, east) -> HERE + 20.0 - 2.0 * Math.max(0.0, east),
+        0);
+  }
+
+  private double freeM(boolean stops, Motion motion, VerticalRoom room) {
+    costs.update(i -> false, i -> false);
+    MotionLimits limits = limits(stops);
+    TrafficForecast none = new TrafficForecast(List.of(), BODY, limits, ORIGIN, 0L, room);
+    return new MotionForecast(costs, BODY, none, room, limits, ORIGIN, 5.0).play(motion).freeM();
+  }
+
+  /** The ground is 5 m below 7.5 m to the right, 2 m below 9 m to the right. */
+  @ParameterizedTest
+  @CsvSource({"true, 5, 17.9", "true, 2, 19.8", "false, 5, 17.9", "false, 2, 19.8"})
+  void play_levelArcToASlope_isFreeUpToIt(boolean stops, double levelM, double freeM) {
+    Motion right = Motion.arc(0.05, false, 5.0, 25.0);
+    Motion left = Motion.arc(-0.05, false, 5.0, 25.0);
+
+    assertThat(freeM(stops, right, slope(levelM))).isCloseTo(freeM, within(1.0));
+    assertThat(freeM(stops, left, slope(levelM))).isInfinite();
+  }
+
+  /** The mission leads there. */
+  @Test
+  void play_routeToASlope_isFree() {
+    Route.Point from = new Route.Point(0.0, 0.0, false);
+    Route.Point to = new Route.Point(100.0, 100.0, false);
+    RouteTrack track = new RouteTrack(Route.of(List.of(from, to), 142.0));
+
+    assertThat(freeM(true, Motion.along(track, 0.05, false, 5.0, 25.0), slope(CLEARANCE)))
+        .isInfinite();
+  }
+
+  /** An aeroplane can only pass a wall where the ground rises. */
+  @Test
+  void along_slopeOnTheOnlyFreeSide_doesNotTurnIntoIt() {
+    GridFrame frame = costs.frame();
+    costs.update(i -> frame.centreNorthM(i) > 30.0 && frame.centreEastM(i) < 5.0, i -> false);
+    Route.Point from = new Route.Point(0.0, 0.0, false);
+    Route.Point to = new Route.Point(280.0, 0.0, false);
+    ArcChooser arcs =
+        new ArcChooser(
+            costs,
+            BODY,
+            List.of(),
+            limits(false),
+            ORIGIN,
+            10.0,
+            0L,
+            Optional.empty(),
+            Optional.of(slope(CLEARANCE)),
+            Drift.NONE);
+
+    assertThat(arcs.along(new RouteTrack(Route.of(List.of(from, to), 280.0))).eastM())
+        .isLessThan(7.5);
+  }
+
+  @Test
+  void isGroundNear_groundUnknown_isFalse() {
+    assertThat(room(-200.0, -10.0, UNKNOWN).isGroundNear(ORIGIN, HERE + 40.0)).isFalse();
   }
 }
