@@ -11,7 +11,6 @@ import java.text.NumberFormat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import org.jfree.chart.JFreeChart;
@@ -41,8 +40,6 @@ import org.u2sa.report.score.TrackSample;
  * sample): fence, planned line, track, and waypoints with capture circles and names.
  */
 final class MapChart {
-  private static final double MARGIN = 1.10; // factor on the extent
-  private static final double MOST_AROUND = 1.6; // factor on the scale for what lies around
   private static final double M_PER_KM = 1000.0; // smaller maps use metres
   private static final int MAX_GRID_LINES = 12;
   private static final int MAX_NAMES = 30; // with more waypoints, only numbers
@@ -69,8 +66,9 @@ final class MapChart {
     obstacles = new ObstacleLayer(plan, score.obstacles(), track, this::at);
     signs = WaypointSign.of(score.waypoints());
     plane = plane();
-    Rectangle2D extent = around(extent());
-    double metresPerPixel = metresPerPixel(extent);
+    MapExtent around = MapExtent.of(plan, track, obstacles.outlines(), plane, size);
+    Rectangle2D extent = around.box();
+    double metresPerPixel = around.metresPerPixel();
     double widthM = metresPerPixel * size.getWidth();
     double heightM = metresPerPixel * size.getHeight();
     unitM = plan.domain() != Domain.AIR && widthM < M_PER_KM ? 1.0 : M_PER_KM;
@@ -84,36 +82,6 @@ final class MapChart {
     range(east, grid, extent.getCenterX(), widthM);
     range(north, grid, extent.getCenterY(), heightM);
     plot = ChartStyle.plot(east, north, ChartStyle.LEFT, ChartStyle.BELOW);
-  }
-
-  private double metresPerPixel(Rectangle2D extent) {
-    double least = plan.domain().leastMapM();
-    return Math.max(
-        Math.max(least, MARGIN * extent.getWidth()) / size.getWidth(),
-        Math.max(least, MARGIN * extent.getHeight()) / size.getHeight());
-  }
-
-  /** An extent [m], enlarged for fence, areas and objects that are not too far from it. */
-  private Rectangle2D around(Rectangle2D run) {
-    double most = MOST_AROUND * metresPerPixel(run);
-    List<List<Point2D>> shapes = new ArrayList<>(obstacles.outlines());
-    shapes.add(corners(plan.fence()));
-    plan.keepOuts().forEach(area -> shapes.add(corners(area)));
-    Rectangle2D extent = run;
-    for (List<Point2D> shape : shapes) {
-      Rectangle2D larger =
-          shape.stream()
-              .map(at -> box(plane.place(at.getX(), at.getY()), 0.0))
-              .reduce(extent, Rectangle2D::createUnion);
-      extent = metresPerPixel(larger) <= most ? larger : extent;
-    }
-    return extent;
-  }
-
-  private static List<Point2D> corners(List<RunPlan.Corner> outline) {
-    return outline.stream()
-        .map(each -> (Point2D) new Point2D.Double(each.longitudeDeg(), each.latitudeDeg()))
-        .toList();
   }
 
   /** Smallest of 1, 2 or 5 times a power of ten that is at least {@code least}. */
@@ -225,21 +193,6 @@ final class MapChart {
         : new PlotPlane(track.get(0).longitudeDeg(), track.get(0).latitudeDeg());
   }
 
-  /** Axis-aligned bounding box [m] of home, track and capture circles. */
-  private Rectangle2D extent() {
-    List<Rectangle2D> boxes = new ArrayList<>();
-    plan.home()
-        .ifPresent(home -> boxes.add(box(plane.place(home.longitudeDeg(), home.latitudeDeg()), 0)));
-    plan.waypoints().forEach(w -> boxes.add(box(plane.place(w), w.captureRadiusM())));
-    track.forEach(sample -> boxes.add(box(plane.place(sample), 0.0)));
-    return boxes.stream().reduce(Rectangle2D::createUnion).orElse(new Rectangle2D.Double());
-  }
-
-  private static Rectangle2D box(PlotPlane.Place centre, double radiusM) {
-    return new Rectangle2D.Double(
-        centre.eastM() - radiusM, centre.northM() - radiusM, 2.0 * radiusM, 2.0 * radiusM);
-  }
-
   private List<Point2D> at(Predicate<WaypointSign> condition) {
     return signs.stream().filter(condition).map(sign -> at(sign.waypoint())).toList();
   }
@@ -262,7 +215,6 @@ final class MapChart {
     private static final double LEADER_FROM = 14.0; // farther names get a line to the point [px]
     private static final double LARGEST_WHOLE_CIRCLE = 25.0; // px
     private static final double LARGEST_AVOIDED = 60.0; // names are inside larger objects [px]
-    private static final int PARTS = 200; // of an edge, to find its visible part
 
     private final transient List<List<Point2D>> planned;
 
@@ -339,7 +291,8 @@ final class MapChart {
       }
       for (int i = 0; i < fences.size(); i++) {
         String text = i == 0 ? "fence" : "keep-out";
-        beside(fences.get(i), area)
+        List<Point2D> fence = fences.get(i).stream().map(p -> pixel(p, area)).toList();
+        LabelPlacer.visibleMiddle(fence, area)
             .ifPresent(at -> name(graphics, placer, at, 0.0, text, OBSTACLE, ChartStyle.MISSED));
       }
       plan.home()
@@ -377,37 +330,6 @@ final class MapChart {
           .map(corner -> (Rectangle2D) new Rectangle2D.Double(corner.getX(), corner.getY(), 0, 0))
           .reduce(Rectangle2D::createUnion)
           .orElse(new Rectangle2D.Double());
-    }
-
-    /** The middle of the longest visible part of an outline [px]; empty if none is visible. */
-    private Optional<Point2D> beside(List<Point2D> outline, Rectangle2D area) {
-      Optional<Point2D> best = Optional.empty();
-      double longest = 0.0;
-      for (int i = 0; i + 1 < outline.size(); i++) {
-        Point2D a = pixel(outline.get(i), area);
-        Point2D b = pixel(outline.get(i + 1), area);
-        Point2D first = null;
-        Point2D last = null;
-        for (int k = 0; k <= PARTS; k++) {
-          double share = (double) k / PARTS;
-          Point2D at =
-              new Point2D.Double(
-                  a.getX() + share * (b.getX() - a.getX()),
-                  a.getY() + share * (b.getY() - a.getY()));
-          if (area.contains(at)) {
-            first = first == null ? at : first;
-            last = at;
-          }
-        }
-        if (first != null && first.distance(last) > longest) {
-          longest = first.distance(last);
-          best =
-              Optional.of(
-                  new Point2D.Double(
-                      0.5 * (first.getX() + last.getX()), 0.5 * (first.getY() + last.getY())));
-        }
-      }
-      return best;
     }
 
     private Point2D pixel(Point2D place, Rectangle2D area) {
