@@ -17,7 +17,7 @@ import org.u2sa.report.score.TrackSample;
  */
 record MapExtent(Rectangle2D box, double metresPerPixel) {
   private static final double MARGIN = 1.10; // factor on the extent
-  private static final double MOST_AROUND = 1.6; // factor on the scale for what lies around
+  private static final double MOST_AROUND = 2.0; // factor on the scale for what lies around
 
   /**
    * @param outlines longitudes and latitudes of areas and objects [deg]
