@@ -5,7 +5,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.record.RecordingParts;
@@ -46,10 +45,11 @@ public final class CompareCommand extends BaseCommand {
 
   @Override
   public Integer call() throws IOException {
-    List<RunContent> runs = new ArrayList<>();
     for (Path file : files) {
       RegularFile.require(file, "a recording (MCAP)");
-      runs.add(RunContent.read(file, Optional.empty()));
+    }
+    List<RunContent> runs = RunContent.readAll(files);
+    for (Path file : files) {
       RecordingParts.othersNotRead(file).ifPresent(this::tell);
     }
     if (json) {

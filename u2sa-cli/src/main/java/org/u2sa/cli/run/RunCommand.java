@@ -305,6 +305,7 @@ public final class RunCommand extends BaseCommand {
     try (Console.Detached output = PlainLines.detach(out(), CLOCK);
         RunningSystem system = RunningSystem.start(file, options);
         TroubleLines troubles = troublesOf(system, ownServices(system));
+        SafetyLines safety = supervised ? null : safetyOf(system);
         LocalSystems.Announcement announced = announced(file, system);
         MavlinkLinks.Bridges bridges = bridges(file, system);
         EndOnInterrupt hook = new EndOnInterrupt(system::close)) {
@@ -336,6 +337,7 @@ public final class RunCommand extends BaseCommand {
     try (Console.Detached output = PlainLines.detach(out(), CLOCK);
         RunningSystem manager = RunningSystem.start(file.withoutServices(), options);
         TroubleLines troubles = troublesOf(manager, any -> true);
+        SafetyLines safety = safetyOf(manager);
         LocalSystems.Announcement announced = announced(file, manager);
         MavlinkLinks.Bridges bridges = bridges(file, manager);
         ServiceProcesses processes =
@@ -365,6 +367,14 @@ public final class RunCommand extends BaseCommand {
   private TroubleLines troublesOf(RunningSystem system, Predicate<String> services) {
     return new TroubleLines(
         system.communicationManager().transport(), services, CLOCK, out()::println);
+  }
+
+  private SafetyLines safetyOf(RunningSystem system) {
+    return new SafetyLines(
+        system.communicationManager().transport(),
+        CLOCK,
+        Double.POSITIVE_INFINITY, // its operator decides when
+        out()::println);
   }
 
   /**

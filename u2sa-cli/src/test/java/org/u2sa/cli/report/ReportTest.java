@@ -192,7 +192,7 @@ class ReportTest {
     JsonNode run = json("report", record("drive").toString(), "--json").get("runs").get(0);
     assertThat(run.get("name").asText()).isEqualTo("drive");
     assertThat(figure(run, "duration")).isEqualTo(100.0);
-    assertThat(figure(run, "goals")).isEqualTo(2.0);
+    assertThat(figure(run, "goals begun")).isEqualTo(2.0);
     assertThat(figure(run, "goals reached")).isEqualTo(1.0);
     assertThat(figure(run, "failsafes")).isEqualTo(1.0);
     assertThat(figure(run, "services not alive")).isEqualTo(1.0);

@@ -4,12 +4,13 @@ import java.io.IOException;
 import java.io.Writer;
 import java.util.List;
 import java.util.Locale;
+import java.util.OptionalDouble;
 import org.u2sa.report.score.Domain;
 import org.u2sa.report.score.TrackSample;
 
 /**
  * Writes {@code track.csv} (RFC 4180, with line feeds): one line per sample, units in the header,
- * fixed decimals; output is byte-identical on every platform.
+ * fixed decimals; an absent value is an empty field. Output is byte-identical on every platform.
  */
 public final class TrackCsv {
 
@@ -35,14 +36,14 @@ public final class TrackCsv {
   private static String of(TrackSample s) {
     return String.format(
         Locale.ROOT,
-        "%.3f,%.8f,%.8f,%.3f,%.3f,%.3f,%.3f,%d,%s\n",
+        "%.3f,%.8f,%.8f,%.3f,%.3f,%.3f,%s,%d,%s\n",
         s.timeS(),
         s.longitudeDeg(),
         s.latitudeDeg(),
         s.altitudeM(),
         Math.toDegrees(s.headingRad()),
         s.groundSpeedMps(),
-        s.crossTrackM(),
+        metres(s.crossTrackM()),
         s.leg(),
         CsvColumns.cell(s.phase()));
   }
@@ -51,7 +52,7 @@ public final class TrackCsv {
     TrackSample.Flight flight = s.flight().orElseThrow();
     return String.format(
         Locale.ROOT,
-        "%.3f,%.8f,%.8f,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%d,%d,%s\n",
+        "%.3f,%.8f,%.8f,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%s,%d,%d,%s\n",
         s.timeS(),
         s.longitudeDeg(),
         s.latitudeDeg(),
@@ -61,9 +62,13 @@ public final class TrackCsv {
         Math.toDegrees(flight.pitchRad()),
         flight.calibratedAirspeedMps(),
         s.groundSpeedMps(),
-        s.crossTrackM(),
+        metres(s.crossTrackM()),
         s.leg(),
         flight.onGround() ? 1 : 0,
         CsvColumns.cell(s.phase()));
+  }
+
+  private static String metres(OptionalDouble value) {
+    return value.isPresent() ? String.format(Locale.ROOT, "%.3f", value.getAsDouble()) : "";
   }
 }

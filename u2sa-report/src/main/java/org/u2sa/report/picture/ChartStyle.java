@@ -3,6 +3,9 @@ package org.u2sa.report.picture;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
+import java.awt.Shape;
+import java.awt.font.FontRenderContext;
+import java.awt.geom.Area;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
@@ -50,6 +53,9 @@ final class ChartStyle {
   static final double BELOW = 50.0;
   static final double RIGHT = 20.0;
 
+  /** For the sizes of texts. */
+  static final FontRenderContext FONTS = new FontRenderContext(null, true, true);
+
   private static final Color FAINT = new Color(0xdfe3e9);
 
   private ChartStyle() {}
@@ -70,6 +76,15 @@ final class ChartStyle {
             .findFirst()
             .orElse(Font.SANS_SERIF);
     return new Font(family, style, size);
+  }
+
+  /** A text, cut if it is wider than a width [px]. */
+  static String fitted(String text, Font font, double width) {
+    String cut = text;
+    while (cut.length() > 1 && font.getStringBounds(cut + "\u2026", FONTS).getWidth() > width) {
+      cut = cut.substring(0, cut.length() - 1);
+    }
+    return cut.length() == text.length() ? text : cut + "\u2026";
   }
 
   /** Formats minutes and seconds. */
@@ -142,10 +157,11 @@ final class ChartStyle {
   }
 
   /**
-   * Adds the track as a line coloured by a quantity, omitting points less than a pixel apart.
+   * Adds the track as a line coloured by a quantity, omitting points less than a pixel apart. The
+   * line is interrupted where a sample has no place.
    *
    * @param size size of the plot [px]
-   * @param place plot coordinates of a sample
+   * @param place plot coordinates of a sample; NaN if it has none
    */
   static void addTrack(
       XYPlot plot,
@@ -165,6 +181,12 @@ final class ChartStyle {
     Point2D last = null;
     for (int i = 0; i < track.size(); i++) {
       Point2D at = place.apply(track.get(i));
+      if (Double.isNaN(at.getX()) || Double.isNaN(at.getY())) {
+        line = null;
+        shown = -1;
+        last = null;
+        continue;
+      }
       if (last != null
           && i < track.size() - 1
           && Math.hypot((at.getX() - last.getX()) / pixelX, (at.getY() - last.getY()) / pixelY)
@@ -188,26 +210,49 @@ final class ChartStyle {
     add(plot, lines, renderer);
   }
 
-  /** Marks waypoints: a dot if captured, a cross if not, distinguishable without colour. */
-  static void addMarks(XYPlot plot, List<Point2D> captured, List<Point2D> missed) {
+  /** Adds small dots. */
+  static void addSpots(XYPlot plot, List<Point2D> places, Color colour) {
+    XYSeriesCollection spots = new XYSeriesCollection();
+    XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(false, true);
+    addMarks(spots, renderer, places, colour, new Ellipse2D.Double(-3.5, -3.5, 7.0, 7.0));
+    add(plot, spots, renderer);
+  }
+
+  /** Marks waypoints: dot: captured; ring: sometimes; cross: missed. */
+  static void addMarks(
+      XYPlot plot, List<Point2D> captured, List<Point2D> sometimes, List<Point2D> missed) {
     XYSeriesCollection marks = new XYSeriesCollection();
     XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(false, true);
-    for (boolean isCaptured : new boolean[] {true, false}) {
-      int index = marks.getSeriesCount();
-      XYSeries series = new XYSeries(index, false);
-      (isCaptured ? captured : missed).forEach(p -> series.add(p.getX(), p.getY()));
-      marks.addSeries(series);
-      renderer.setSeriesPaint(index, isCaptured ? CAPTURED : MISSED);
-      renderer.setSeriesShape(
-          index,
-          isCaptured
-              ? new Ellipse2D.Double(
-                  -MARK_RADIUS, -MARK_RADIUS, 2.0 * MARK_RADIUS, 2.0 * MARK_RADIUS)
-              : ShapeUtils.createDiagonalCross((float) MARK_RADIUS, 1.2f));
-    }
+    Ellipse2D dot =
+        new Ellipse2D.Double(-MARK_RADIUS, -MARK_RADIUS, 2.0 * MARK_RADIUS, 2.0 * MARK_RADIUS);
+    addMarks(marks, renderer, captured, CAPTURED, dot);
+    addMarks(marks, renderer, sometimes, CAPTURED, ring(dot));
+    addMarks(
+        marks, renderer, missed, MISSED, ShapeUtils.createDiagonalCross((float) MARK_RADIUS, 1.2f));
     renderer.setUseOutlinePaint(true);
     renderer.setDefaultOutlinePaint(PAPER);
     renderer.setAutoPopulateSeriesOutlinePaint(false);
     add(plot, marks, renderer);
+  }
+
+  private static void addMarks(
+      XYSeriesCollection marks,
+      XYLineAndShapeRenderer renderer,
+      List<Point2D> places,
+      Color colour,
+      Shape shape) {
+    int index = marks.getSeriesCount();
+    XYSeries series = new XYSeries(index, false);
+    places.forEach(p -> series.add(p.getX(), p.getY()));
+    marks.addSeries(series);
+    renderer.setSeriesPaint(index, colour);
+    renderer.setSeriesShape(index, shape);
+  }
+
+  private static Shape ring(Ellipse2D dot) {
+    Area ring = new Area(dot);
+    double inside = 0.55 * MARK_RADIUS;
+    ring.subtract(new Area(new Ellipse2D.Double(-inside, -inside, 2.0 * inside, 2.0 * inside)));
+    return ring;
   }
 }

@@ -4,6 +4,7 @@ import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Places labels beside the points they name: each takes the position around its point that overlaps
@@ -18,6 +19,8 @@ final class LabelPlacer {
   private static final double LINE_COST = 40.0; // per covered point of a line
   private static final double LINE_SPACING = 6.0; // of the points that represent a line [px]
   private static final double DISTANCE_COST = 4.0; // per px from the point
+
+  private static final int PARTS = 200; // of an edge, to find its visible part
 
   private final Rectangle2D frame;
   private final List<Rectangle2D.Double> taken = new ArrayList<>();
@@ -86,6 +89,36 @@ final class LabelPlacer {
       }
     }
     return cost + farther;
+  }
+
+  /** The middle of the longest visible part of an outline [px]; empty if none is visible. */
+  static Optional<Point2D> visibleMiddle(List<Point2D> outline, Rectangle2D area) {
+    Optional<Point2D> best = Optional.empty();
+    double longest = 0.0;
+    for (int i = 0; i + 1 < outline.size(); i++) {
+      Point2D a = outline.get(i);
+      Point2D b = outline.get(i + 1);
+      Point2D first = null;
+      Point2D last = null;
+      for (int k = 0; k <= PARTS; k++) {
+        double share = (double) k / PARTS;
+        Point2D at =
+            new Point2D.Double(
+                a.getX() + share * (b.getX() - a.getX()), a.getY() + share * (b.getY() - a.getY()));
+        if (area.contains(at)) {
+          first = first == null ? at : first;
+          last = at;
+        }
+      }
+      if (first != null && first.distance(last) > longest) {
+        longest = first.distance(last);
+        best =
+            Optional.of(
+                new Point2D.Double(
+                    0.5 * (first.getX() + last.getX()), 0.5 * (first.getY() + last.getY())));
+      }
+    }
+    return best;
   }
 
   /** Overlapping area [px²]. */

@@ -3,7 +3,6 @@ package org.u2sa.report.picture;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
-import java.awt.font.FontRenderContext;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Point2D;
@@ -12,6 +11,8 @@ import java.text.NumberFormat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.annotations.AbstractXYAnnotation;
 import org.jfree.chart.annotations.XYShapeAnnotation;
@@ -39,14 +40,12 @@ import org.u2sa.report.score.TrackSample;
  * sample): fence, planned line, track, and waypoints with capture circles and names.
  */
 final class MapChart {
-  private static final double MARGIN = 1.10; // factor on the extent
   private static final double M_PER_KM = 1000.0; // smaller maps use metres
   private static final int MAX_GRID_LINES = 12;
   private static final int MAX_NAMES = 30; // with more waypoints, only numbers
   private static final double KEY_SHARE = 0.16; // of the map's width, for the colour key
   private static final int KEY_NUMBERS = 5;
   private static final double KEY_HEIGHT = 64.0; // px
-  private static final FontRenderContext FONTS = new FontRenderContext(null, true, true);
 
   private final RunPlan plan;
   private final List<TrackSample> track;
@@ -64,15 +63,12 @@ final class MapChart {
     this.track = track;
     this.colour = colour;
     this.size = size;
-    obstacles = new ObstacleLayer(plan, score.obstacles(), this::at);
+    obstacles = new ObstacleLayer(plan, score.obstacles(), track, this::at);
     signs = WaypointSign.of(score.waypoints());
     plane = plane();
-    Rectangle2D extent = extent();
-    double least = plan.domain().leastMapM();
-    double metresPerPixel =
-        Math.max(
-            Math.max(least, MARGIN * extent.getWidth()) / size.getWidth(),
-            Math.max(least, MARGIN * extent.getHeight()) / size.getHeight());
+    MapExtent around = MapExtent.of(plan, track, obstacles.outlines(), plane, size);
+    Rectangle2D extent = around.box();
+    double metresPerPixel = around.metresPerPixel();
     double widthM = metresPerPixel * size.getWidth();
     double heightM = metresPerPixel * size.getHeight();
     unitM = plan.domain() != Domain.AIR && widthM < M_PER_KM ? 1.0 : M_PER_KM;
@@ -107,24 +103,41 @@ final class MapChart {
   }
 
   private JFreeChart chart() {
-    List<Point2D> planned = new ArrayList<>();
-    plan.home().ifPresent(home -> planned.add(at(home.longitudeDeg(), home.latitudeDeg())));
-    plan.waypoints().forEach(waypoint -> planned.add(at(waypoint)));
+    List<List<Point2D>> planned = planned();
     obstacles.addTo(plot);
     ChartStyle.addLine(plot, outline(plan.fence()), ChartStyle.MISSED, 5.0);
     plan.keepOuts()
         .forEach(area -> ChartStyle.addLine(plot, outline(area), ChartStyle.MISSED, 5.0));
-    ChartStyle.addLine(plot, planned, ChartStyle.PLANNED, 7.0);
+    planned.forEach(line -> ChartStyle.addLine(plot, line, ChartStyle.PLANNED, 7.0));
     ChartStyle.addTrack(
         plot, size, track, colour, sample -> at(sample.longitudeDeg(), sample.latitudeDeg()));
     ChartStyle.addMarks(
         plot,
-        signs.stream().filter(WaypointSign::captured).map(s -> at(s.waypoint())).toList(),
-        signs.stream().filter(s -> !s.captured()).map(s -> at(s.waypoint())).toList());
+        at(WaypointSign::captured),
+        at(sign -> !sign.captured() && !sign.missed()),
+        at(WaypointSign::missed));
+    ChartStyle.addSpots(plot, obstacles.moments(), ObstacleLayer.WAY);
     signs.forEach(this::captureCircle);
     plot.addAnnotation(new Names(planned));
     plot.addAnnotation(key());
     return ChartStyle.chart(plot, false);
+  }
+
+  /** The planned lines, interrupted by goals without a known position. */
+  private List<List<Point2D>> planned() {
+    List<List<Point2D>> lines = new ArrayList<>();
+    List<Point2D> line = new ArrayList<>();
+    plan.home().map(home -> at(home.longitudeDeg(), home.latitudeDeg())).ifPresent(line::add);
+    for (int i = 0; i < plan.waypoints().size(); i++) {
+      int index = i;
+      if (plan.others().stream().anyMatch(other -> other.before() == index)) {
+        lines.add(line);
+        line = new ArrayList<>();
+      }
+      line.add(at(plan.waypoints().get(i)));
+    }
+    lines.add(line);
+    return lines;
   }
 
   private List<Point2D> outline(List<RunPlan.Corner> corners) {
@@ -135,7 +148,7 @@ final class MapChart {
   }
 
   private void captureCircle(WaypointSign sign) {
-    Color edge = sign.captured() ? ChartStyle.CAPTURED : ChartStyle.MISSED;
+    Color edge = sign.missed() ? ChartStyle.MISSED : ChartStyle.CAPTURED;
     double radius = sign.waypoint().captureRadiusM() / unitM;
     Point2D at = at(sign.waypoint());
     ((XYLineAndShapeRenderer) plot.getRenderer())
@@ -180,19 +193,8 @@ final class MapChart {
         : new PlotPlane(track.get(0).longitudeDeg(), track.get(0).latitudeDeg());
   }
 
-  /** Axis-aligned bounding box [m] of home, track and capture circles. */
-  private Rectangle2D extent() {
-    List<Rectangle2D> boxes = new ArrayList<>();
-    plan.home()
-        .ifPresent(home -> boxes.add(box(plane.place(home.longitudeDeg(), home.latitudeDeg()), 0)));
-    plan.waypoints().forEach(w -> boxes.add(box(plane.place(w), w.captureRadiusM())));
-    track.forEach(sample -> boxes.add(box(plane.place(sample), 0.0)));
-    return boxes.stream().reduce(Rectangle2D::createUnion).orElse(new Rectangle2D.Double());
-  }
-
-  private static Rectangle2D box(PlotPlane.Place centre, double radiusM) {
-    return new Rectangle2D.Double(
-        centre.eastM() - radiusM, centre.northM() - radiusM, 2.0 * radiusM, 2.0 * radiusM);
+  private List<Point2D> at(Predicate<WaypointSign> condition) {
+    return signs.stream().filter(condition).map(sign -> at(sign.waypoint())).toList();
   }
 
   private Point2D at(double longitudeDeg, double latitudeDeg) {
@@ -212,10 +214,11 @@ final class MapChart {
     private static final double HOME_RADIUS = 7.0; // px
     private static final double LEADER_FROM = 14.0; // farther names get a line to the point [px]
     private static final double LARGEST_WHOLE_CIRCLE = 25.0; // px
+    private static final double LARGEST_AVOIDED = 60.0; // names are inside larger objects [px]
 
-    private final transient List<Point2D> planned;
+    private final transient List<List<Point2D>> planned;
 
-    Names(List<Point2D> planned) {
+    Names(List<List<Point2D>> planned) {
       this.planned = planned;
     }
 
@@ -237,7 +240,26 @@ final class MapChart {
               KEY_HEIGHT + 20.0));
       placer.avoidLine(
           track.stream().map(s -> pixel(at(s.longitudeDeg(), s.latitudeDeg()), area)).toList());
-      placer.avoidLine(planned.stream().map(p -> pixel(p, area)).toList());
+      for (List<Point2D> line : planned) {
+        placer.avoidLine(line.stream().map(p -> pixel(p, area)).toList());
+      }
+      for (List<Point2D> line : obstacles.ways()) {
+        placer.avoidLine(line.stream().map(p -> pixel(p, area)).toList());
+      }
+      List<List<Point2D>> fences = new ArrayList<>();
+      fences.add(outline(plan.fence()));
+      plan.keepOuts().forEach(keepOut -> fences.add(outline(keepOut)));
+      for (List<Point2D> fence : fences) {
+        placer.avoidLine(fence.stream().map(p -> pixel(p, area)).toList());
+      }
+      for (ObstacleLayer.Name each : obstacles.names()) {
+        Rectangle2D shape = shape(each, area);
+        if (Math.max(shape.getWidth(), shape.getHeight()) <= LARGEST_AVOIDED) {
+          placer.avoid(
+              new Rectangle2D.Double(
+                  shape.getX(), shape.getY(), shape.getWidth(), shape.getHeight()));
+        }
+      }
       for (WaypointSign sign : signs) {
         Point2D at = pixel(at(sign.waypoint()), area);
         double radius = radius(sign);
@@ -248,13 +270,30 @@ final class MapChart {
       for (WaypointSign sign : signs) {
         boolean crowded = signs.size() > MAX_NAMES;
         String name = crowded ? String.valueOf(sign.index() + 1) : sign.numberedName();
-        name(graphics, placer, pixel(at(sign.waypoint()), area), radius(sign), name);
+        String text = name + sign.share();
+        name(graphics, placer, pixel(at(sign.waypoint()), area), radius(sign), text);
       }
       for (ObstacleLayer.Name each : obstacles.names()) {
         Point2D at = pixel(each.at(), area);
         if (area.contains(at)) {
-          name(graphics, placer, at, ChartStyle.MARK_RADIUS, each.text(), OBSTACLE, each.colour());
+          Rectangle2D shape = shape(each, area);
+          double half = 0.5 * Math.max(shape.getWidth(), shape.getHeight());
+          double radius = half <= 0.5 * LARGEST_AVOIDED ? half : 0.0;
+          name(
+              graphics,
+              placer,
+              at,
+              Math.max(ChartStyle.MARK_RADIUS, radius),
+              each.text(),
+              OBSTACLE,
+              each.colour());
         }
+      }
+      for (int i = 0; i < fences.size(); i++) {
+        String text = i == 0 ? "fence" : "keep-out";
+        List<Point2D> fence = fences.get(i).stream().map(p -> pixel(p, area)).toList();
+        LabelPlacer.visibleMiddle(fence, area)
+            .ifPresent(at -> name(graphics, placer, at, 0.0, text, OBSTACLE, ChartStyle.MISSED));
       }
       plan.home()
           .map(home -> pixel(at(home.longitudeDeg(), home.latitudeDeg()), area))
@@ -264,6 +303,33 @@ final class MapChart {
                 graphics.fill(new Rectangle2D.Double(at.getX() - 6.0, at.getY() - 6.0, 12.0, 12.0));
                 name(graphics, placer, at, HOME_RADIUS, "home");
               });
+      others(graphics, area);
+    }
+
+    /** Goals that are not on the map, in its lower left corner. */
+    private void others(Graphics2D graphics, Rectangle2D area) {
+      if (!plan.others().isEmpty()) {
+        String text =
+            plan.others().stream()
+                .map(RunPlan.OtherGoal::name)
+                .collect(Collectors.joining(", ", "goals without a known position: ", ""));
+        graphics.setPaint(ChartStyle.MUTED);
+        graphics.setFont(ChartStyle.TICK);
+        double width = (1.0 - KEY_SHARE) * area.getWidth() - 40.0;
+        graphics.drawString(
+            ChartStyle.fitted(text, ChartStyle.TICK, width),
+            (float) area.getX() + 10.0f,
+            (float) area.getMaxY() - 10.0f);
+      }
+    }
+
+    /** Bounding box of an object [px]. */
+    private Rectangle2D shape(ObstacleLayer.Name name, Rectangle2D area) {
+      return name.outline().stream()
+          .map(corner -> pixel(corner, area))
+          .map(corner -> (Rectangle2D) new Rectangle2D.Double(corner.getX(), corner.getY(), 0, 0))
+          .reduce(Rectangle2D::createUnion)
+          .orElse(new Rectangle2D.Double());
     }
 
     private Point2D pixel(Point2D place, Rectangle2D area) {
@@ -295,7 +361,7 @@ final class MapChart {
         String name,
         Font font,
         Color colour) {
-      double width = font.getStringBounds(name, FONTS).getWidth() + 4.0;
+      double width = font.getStringBounds(name, ChartStyle.FONTS).getWidth() + 4.0;
       Rectangle2D box = placer.place(at.getX(), at.getY(), radius, width, HEIGHT);
       double nearX = Math.max(box.getMinX(), Math.min(box.getMaxX(), at.getX()));
       double nearY = Math.max(box.getMinY(), Math.min(box.getMaxY(), at.getY()));

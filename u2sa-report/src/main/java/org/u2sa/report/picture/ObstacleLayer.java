@@ -4,6 +4,7 @@ import java.awt.Color;
 import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import org.jfree.chart.annotations.XYShapeAnnotation;
 import org.jfree.chart.plot.XYPlot;
@@ -22,16 +23,17 @@ import org.u2sa.messages.shape.Sphere;
 import org.u2sa.report.score.ObstacleResult;
 import org.u2sa.report.score.RunPlan;
 import org.u2sa.report.score.Surroundings;
+import org.u2sa.report.score.TrackSample;
 
 /**
  * Map layer of areas and obstacles, below everything else: static ones filled; moving ones at the
- * moment of closest approach, with their path around it and the time.
+ * moment of closest approach, with their path around it, the time, and the vehicle's position then.
  */
 final class ObstacleLayer {
   private static final Color STANDS = new Color(0x8a, 0x5a, 0x2b, 0x66);
   private static final Color EDGE = new Color(0x6b441f);
   private static final Color MOVES = new Color(0xcc, 0x79, 0xa7, 0x40);
-  private static final Color WAY = new Color(0xb0578a);
+  static final Color WAY = new Color(0xb0578a);
   private static final int SIDES = 48;
   private static final int WAY_STEPS = 24;
   private static final double WAY_S = 60.0; // before and after the closest approach
@@ -47,12 +49,14 @@ final class ObstacleLayer {
 
   private final RunPlan plan;
   private final List<ObstacleResult> results;
+  private final List<TrackSample> track;
   private final Chart chart;
 
   /** Takes one result per object of the plan; objects without a result are omitted. */
-  ObstacleLayer(RunPlan plan, List<ObstacleResult> results, Chart chart) {
+  ObstacleLayer(RunPlan plan, List<ObstacleResult> results, List<TrackSample> track, Chart chart) {
     this.plan = plan;
     this.results = results;
+    this.track = track;
     this.chart = chart;
   }
 
@@ -68,6 +72,7 @@ final class ObstacleLayer {
       ObjectDescription then = Surroundings.after(object, result.timeS());
       if (result.moves()) {
         plot.addAnnotation(line(way(object, result.timeS()), false, WAY, null));
+        plot.addAnnotation(line(separation(then, result.timeS()), true, WAY, null));
       }
       plot.addAnnotation(
           line(outline(then), true, result.moves() ? WAY : EDGE, result.moves() ? MOVES : STANDS));
@@ -78,7 +83,63 @@ final class ObstacleLayer {
     return area.isForbidden() ? ChartStyle.MISSED : ChartStyle.HOME;
   }
 
-  record Name(String text, Point2D at, Color colour) {}
+  /** Longitudes and latitudes of the outlines of areas and of objects that do not move [deg]. */
+  List<List<Point2D>> outlines() {
+    ObstacleLayer onEarth = new ObstacleLayer(plan, results, track, Point2D.Double::new);
+    List<List<Point2D>> all = new ArrayList<>();
+    plan.surroundings().areas().forEach(area -> all.add(onEarth.outline(area.outline())));
+    for (int i = 0; i < results.size(); i++) {
+      if (!results.get(i).moves()) {
+        all.add(onEarth.outline(plan.surroundings().objects().get(i)));
+      }
+    }
+    return all;
+  }
+
+  /** Paths of moving objects, and lines to the vehicle at the closest approaches. */
+  List<List<Point2D>> ways() {
+    List<List<Point2D>> all = new ArrayList<>();
+    for (int i = 0; i < results.size(); i++) {
+      if (results.get(i).moves()) {
+        ObjectDescription object = plan.surroundings().objects().get(i);
+        double timeS = results.get(i).timeS();
+        all.add(way(object, timeS));
+        all.add(separation(Surroundings.after(object, timeS), timeS));
+      }
+    }
+    return all;
+  }
+
+  /** Positions of moving objects and of the vehicle at their closest approaches. */
+  List<Point2D> moments() {
+    List<Point2D> all = new ArrayList<>();
+    for (int i = 0; i < results.size(); i++) {
+      if (results.get(i).moves()) {
+        ObjectDescription object = plan.surroundings().objects().get(i);
+        double timeS = results.get(i).timeS();
+        all.addAll(separation(Surroundings.after(object, timeS), timeS));
+      }
+    }
+    return all;
+  }
+
+  /** From an object to the vehicle at a time of the run [s]. */
+  private List<Point2D> separation(ObjectDescription then, double timeS) {
+    List<Point2D> line = new ArrayList<>();
+    line.add(place(then, middle(then)));
+    track.stream()
+        .min(Comparator.comparingDouble(sample -> Math.abs(sample.timeS() - timeS)))
+        .map(sample -> chart.at(sample.longitudeDeg(), sample.latitudeDeg()))
+        .ifPresent(line::add);
+    return line;
+  }
+
+  /**
+   * A name beside an object.
+   *
+   * @param outline of the object
+   */
+  record Name(String text, Point2D at, Color colour, List<Point2D> outline) {}
 
   /**
    * Names of all areas, and of all objects unless there are too many to be legible; with the time
@@ -88,7 +149,9 @@ final class ObstacleLayer {
     List<Name> names = new ArrayList<>();
     for (Surroundings.Area area : plan.surroundings().areas()) {
       Polygon outline = area.outline();
-      names.add(new Name(outline.uid(), place(outline, middle(outline)), areaColour(area)));
+      names.add(
+          new Name(
+              outline.uid(), place(outline, middle(outline)), areaColour(area), outline(outline)));
     }
     for (int i = 0; i < results.size() && results.size() <= MAX_NAMES; i++) {
       ObstacleResult result = results.get(i);
@@ -96,9 +159,22 @@ final class ObstacleLayer {
           Surroundings.after(plan.surroundings().objects().get(i), result.timeS());
       String time = result.moves() ? " " + ChartStyle.clock(result.timeS()) : "";
       names.add(
-          new Name(result.name() + time, place(then, middle(then)), result.moves() ? WAY : EDGE));
+          new Name(
+              named(then) + time,
+              place(then, middle(then)),
+              result.moves() ? WAY : EDGE,
+              outline(then)));
     }
     return names;
+  }
+
+  /** Name of an object; of an unnamed one, which a world file numbers, with its type. */
+  private static String named(ObjectDescription object) {
+    String type = object.objectType();
+    String shape = object.getClass().getSimpleName();
+    return !type.isEmpty() && object.uid().matches(shape + " \\d+")
+        ? type + " (" + object.uid() + ")"
+        : object.uid();
   }
 
   /** Centre of an object; for a polygon the mean of its corners, since its centre may be absent. */

@@ -11,7 +11,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.TimeZone;
+import java.util.stream.Collectors;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.LegendItem;
 import org.jfree.chart.LegendItemCollection;
@@ -27,6 +29,7 @@ import org.jfree.chart.ui.RectangleAnchor;
 import org.jfree.chart.ui.RectangleInsets;
 import org.jfree.chart.ui.TextAnchor;
 import org.jfree.chart.util.RelativeDateFormat;
+import org.jfree.data.xy.XYDataItem;
 import org.jfree.data.xy.XYSeries;
 import org.jfree.data.xy.XYSeriesCollection;
 import org.u2sa.report.score.RunPlan;
@@ -68,14 +71,17 @@ final class ProfileChart {
     XYPlot plot = ChartStyle.plot(time, value, ChartStyle.LEFT, ChartStyle.BELOW);
 
     XYSeries area = new XYSeries("", false);
-    track.forEach(s -> area.add(MS_PER_S * s.timeS(), quantity.of().applyAsDouble(s)));
+    for (TrackSample s : track) {
+      area.add(MS_PER_S * s.timeS(), isShown(s, quantity) ? quantity.of().applyAsDouble(s) : 0.0);
+    }
     XYAreaRenderer filled = new XYAreaRenderer(XYAreaRenderer.AREA);
     filled.setSeriesPaint(0, ChartStyle.FLOWN_AREA);
     ChartStyle.add(plot, new XYSeriesCollection(area), filled);
     XYStepRenderer steps = new XYStepRenderer();
     steps.setSeriesPaint(0, ChartStyle.MUTED);
     steps.setSeriesStroke(0, ChartStyle.stroke(2.0, 7.0));
-    ChartStyle.add(plot, new XYSeriesCollection(planned(plan, track, quantity)), steps);
+    XYSeries planned = planned(plan, track, quantity);
+    ChartStyle.add(plot, new XYSeriesCollection(planned), steps);
     ChartStyle.addTrack(
         plot,
         size,
@@ -83,9 +89,13 @@ final class ProfileChart {
         colour,
         s -> new Point2D.Double(MS_PER_S * s.timeS(), quantity.of().applyAsDouble(s)));
     ChartStyle.addMarks(
-        plot, met(score.waypoints(), quantity, true), met(score.waypoints(), quantity, false));
+        plot,
+        met(score.waypoints(), track, quantity, true),
+        List.of(),
+        met(score.waypoints(), track, quantity, false));
     moments(plot, score.waypoints());
-    plot.setFixedLegendItems(legend(plan, quantity));
+    boolean isPlanned = planned.getItems().stream().anyMatch(ProfileChart::isNumber);
+    plot.setFixedLegendItems(legend(quantity, isPlanned));
     JFreeChart chart = ChartStyle.chart(plot, true);
     chart.getLegend().setItemFont(ChartStyle.TICK);
     chart.getLegend().setItemPaint(ChartStyle.MUTED);
@@ -104,14 +114,18 @@ final class ProfileChart {
     return clock;
   }
 
-  /** Planned value over time; NaN where nothing is planned. */
+  /** Planned value over time; NaN where nothing is planned, or the track has no value. */
   private static XYSeries planned(RunPlan plan, List<TrackSample> track, Quantity quantity) {
     XYSeries planned = new XYSeries("", false);
     for (int i = 0; i < track.size(); i++) {
       int leg = track.get(i).leg();
-      if (i == 0 || i == track.size() - 1 || leg != track.get(i - 1).leg()) {
+      boolean isShown = isShown(track.get(i), quantity);
+      if (i == 0
+          || i == track.size() - 1
+          || leg != track.get(i - 1).leg()
+          || isShown != isShown(track.get(i - 1), quantity)) {
         OptionalDouble value =
-            leg >= 0 && leg < plan.waypoints().size()
+            isShown && leg >= 0 && leg < plan.waypoints().size()
                 ? quantity.planned().apply(plan.waypoints().get(leg))
                 : OptionalDouble.empty();
         planned.add(MS_PER_S * track.get(i).timeS(), value.orElse(Double.NaN));
@@ -120,12 +134,26 @@ final class ProfileChart {
     return planned;
   }
 
+  private static boolean isShown(TrackSample sample, Quantity quantity) {
+    return !Double.isNaN(quantity.of().applyAsDouble(sample));
+  }
+
+  /** Planned values at the closest approach to waypoints on whose legs the track has values. */
   private static List<Point2D> met(
-      List<WaypointResult> results, Quantity quantity, boolean captured) {
+      List<WaypointResult> results, List<TrackSample> track, Quantity quantity, boolean captured) {
+    Set<Integer> shown =
+        track.stream()
+            .filter(sample -> isShown(sample, quantity))
+            .map(TrackSample::leg)
+            .collect(Collectors.toSet());
     List<Point2D> points = new ArrayList<>();
-    for (WaypointResult result : results) {
+    for (int i = 0; i < results.size(); i++) {
+      WaypointResult result = results.get(i);
       OptionalDouble planned = quantity.planned().apply(result.waypoint());
-      if (result.captured() == captured && result.timeS().isPresent() && planned.isPresent()) {
+      if (shown.contains(i)
+          && result.captured() == captured
+          && result.timeS().isPresent()
+          && planned.isPresent()) {
         points.add(
             new Point2D.Double(MS_PER_S * result.timeS().getAsDouble(), planned.getAsDouble()));
       }
@@ -156,28 +184,33 @@ final class ProfileChart {
     }
   }
 
-  private static LegendItemCollection legend(RunPlan plan, Quantity quantity) {
+  private static boolean isNumber(Object item) {
+    return !Double.isNaN(((XYDataItem) item).getYValue());
+  }
+
+  private static LegendItemCollection legend(Quantity quantity, boolean isPlanned) {
     Shape dash = new Line2D.Double(-17.0, 0.0, 17.0, 0.0);
-    String unit = " [" + quantity.unit() + "]";
     LegendItemCollection items = new LegendItemCollection();
     items.add(
         new LegendItem(
-            quantity.name() + unit + ": " + plan.domain().moved(),
+            quantity.name() + " [" + quantity.unit() + "]",
             null,
             null,
             null,
             dash,
             ChartStyle.stroke(3.0, 0.0),
             ColourScale.colour(ColourScale.STEPS / 2)));
-    items.add(
-        new LegendItem(
-            quantity.plannedName(),
-            null,
-            null,
-            null,
-            dash,
-            ChartStyle.stroke(2.0, 7.0),
-            ChartStyle.MUTED));
+    if (isPlanned) {
+      items.add(
+          new LegendItem(
+              quantity.plannedName(),
+              null,
+              null,
+              null,
+              dash,
+              ChartStyle.stroke(2.0, 7.0),
+              ChartStyle.MUTED));
+    }
     return items;
   }
 }

@@ -1,6 +1,7 @@
 package org.u2sa.report.picture;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
@@ -16,7 +17,7 @@ import org.u2sa.report.score.TrackSample;
  * @param unit unit, e.g. {@code m}
  * @param low lower end of the displayed range
  * @param high upper end, more than {@code low}
- * @param of value of a sample
+ * @param of value of a sample; NaN if it has none
  * @param plannedName name of the planned value
  * @param planned planned value on the leg to a waypoint
  */
@@ -32,7 +33,6 @@ record Quantity(
   private static final double MAP_PER_ALTITUDE = 5.0; // ratio of their minimum extents
   private static final double MIN_SPEED_SPAN_MPS = 0.5;
   private static final double MIN_OFF_TRACK_M = 0.5;
-  private static final double MAX_OFF_TRACK_M = 2.0; // jumps between two legs
 
   static Quantity onMap(RunPlan plan, List<TrackSample> track) {
     return switch (plan.domain()) {
@@ -45,7 +45,7 @@ record Quantity(
     return switch (plan.domain()) {
       case AIR, SMALL_AIRCRAFT -> altitude(plan, track);
       case UNDERWATER -> height(track);
-      case GROUND, WATER -> offTrack(track);
+      case GROUND, WATER -> offTrack(track).orElseGet(() -> speed(track));
     };
   }
 
@@ -69,7 +69,7 @@ record Quantity(
         low,
         Math.max(high, low + plan.domain().leastMapM() / MAP_PER_ALTITUDE),
         TrackSample::altitudeM,
-        "of the waypoint flown to",
+        "altitude of the next waypoint",
         RunPlan.Waypoint::altitudeM);
   }
 
@@ -82,7 +82,7 @@ record Quantity(
         Math.min(low, -1.0),
         0.0,
         TrackSample::altitudeM,
-        "of the waypoint dived to",
+        "height of the next waypoint",
         RunPlan.Waypoint::altitudeM);
   }
 
@@ -98,16 +98,26 @@ record Quantity(
         waypoint -> OptionalDouble.empty());
   }
 
-  private static Quantity offTrack(List<TrackSample> track) {
-    double most = track.stream().mapToDouble(s -> Math.abs(s.crossTrackM())).max().orElse(0.0);
-    double bound = Math.max(MIN_OFF_TRACK_M, Math.min(MAX_OFF_TRACK_M, most));
-    return new Quantity(
-        "to the right of the line",
-        "m",
-        -bound,
-        bound,
-        TrackSample::crossTrackM,
-        "the line to the waypoint",
-        waypoint -> OptionalDouble.of(0.0));
+  /** Distance from the line; empty if the vehicle never was on its way along one. */
+  private static Optional<Quantity> offTrack(List<TrackSample> track) {
+    OptionalDouble most =
+        track.stream()
+            .map(TrackSample::crossTrackM)
+            .flatMapToDouble(OptionalDouble::stream)
+            .map(Math::abs)
+            .max();
+    if (most.isEmpty()) {
+      return Optional.empty();
+    }
+    double bound = Math.max(MIN_OFF_TRACK_M, most.getAsDouble());
+    return Optional.of(
+        new Quantity(
+            "distance to the right of the line",
+            "m",
+            -bound,
+            bound,
+            sample -> sample.crossTrackM().orElse(Double.NaN),
+            "line to the next waypoint",
+            waypoint -> OptionalDouble.of(0.0)));
   }
 }

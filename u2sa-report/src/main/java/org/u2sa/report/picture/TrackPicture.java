@@ -32,7 +32,7 @@ public final class TrackPicture {
 
   public static String title(RunDetails facts, RunScore score) {
     return String.format(
-        Locale.ROOT, "%s, seed %d: %s", facts.demo(), facts.seed(), score.verdict());
+        Locale.ROOT, "%s, seed %d: %s", facts.demo(), facts.seed(), facts.verdict(score));
   }
 
   public static void draw(
@@ -43,20 +43,38 @@ public final class TrackPicture {
       List<TrackSample> track) {
     graphics.setPaint(ChartStyle.PAPER);
     graphics.fill(new Rectangle2D.Double(0.0, 0.0, WIDTH, HEIGHT));
-    text(graphics, 58, title(facts, score), ChartStyle.TEXT, ChartStyle.font(Font.BOLD, 34));
-    String alarm =
-        (score.outcome().crashed() ? "CRASHED    " : "")
-            + (score.outcome().stalled() ? "STALLED    " : "");
+    String alarm = alarm(facts, score);
+    int up = alarm.isEmpty() ? 0 : 12;
+    text(graphics, 58 - up, title(facts, score), ChartStyle.TEXT, ChartStyle.font(Font.BOLD, 34));
     text(
         graphics,
-        92,
-        alarm + subtitle(facts, plan.domain(), score),
-        alarm.isEmpty() ? ChartStyle.MUTED : ChartStyle.MISSED,
-        ChartStyle.font(alarm.isEmpty() ? Font.PLAIN : Font.BOLD, 19));
+        92 - up,
+        subtitle(facts, plan.domain(), score),
+        ChartStyle.MUTED,
+        ChartStyle.font(Font.PLAIN, 19));
+    Font bold = ChartStyle.font(Font.BOLD, 19);
+    text(graphics, 106, ChartStyle.fitted(alarm, bold, MAP.getWidth()), ChartStyle.MISSED, bold);
     Quantity colour = Quantity.onMap(plan, track);
     MapChart.of(plan, track, score, colour, MAP).draw(graphics, withAxes(MAP, 0.0));
     ProfileChart.of(plan, track, score, Quantity.overTime(plan, track), colour, PROFILE)
         .draw(graphics, withAxes(PROFILE, LEGEND));
+  }
+
+  /** Reasons why a run failed, apart from waypoints; empty if there are none. */
+  static String alarm(RunDetails facts, RunScore score) {
+    if (score.success()) {
+      return "";
+    }
+    List<String> reasons = new ArrayList<>();
+    if (score.outcome().crashed()) {
+      reasons.add("CRASHED");
+    }
+    if (score.outcome().stalled()) {
+      reasons.add("STALLED");
+    }
+    reasons.addAll(score.outcome().violations());
+    reasons.addAll(facts.interventions());
+    return String.join("  \u00b7  ", reasons);
   }
 
   private static Rectangle2D withAxes(Rectangle2D plot, double legend) {

@@ -20,6 +20,7 @@ import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.schema.U2SAData;
@@ -37,7 +38,7 @@ public final class RunContent {
   private static final double OTHER_CLOCK_S = 86_400.0;
 
   private final String name;
-  private final RunMap map = new RunMap();
+  private final RunMap map;
   private final RunTimeline timeline = new RunTimeline();
   private final HopLatency latency = new HopLatency();
   private final Map<String, Trace> callbacks = new LinkedHashMap<>();
@@ -51,7 +52,8 @@ public final class RunContent {
   private final Set<String> goalsReached = new HashSet<>();
   private boolean isShortened; // goals or services were left out
 
-  private RunContent(Path file, McapReader reader, TruthTrack truth) {
+  private RunContent(Path file, McapReader reader, TruthTrack truth, Optional<Geodetic> origin) {
+    map = new RunMap(origin);
     name = name(file);
     startNanos = reader.statistics().startNanos();
     boolean simulated = startNanos < OTHER_CLOCK_S * NANOS;
@@ -77,6 +79,28 @@ public final class RunContent {
    * @throws BadInputException if it contains no published messages
    */
   public static RunContent read(Path file, Optional<Path> truthFile) throws IOException {
+    return read(file, truthFile, Optional.empty());
+  }
+
+  /**
+   * Reads recordings that are compared, on one map; each track.csv is that in the recording's
+   * folder, if any.
+   *
+   * @throws BadInputException if one contains no published messages
+   */
+  public static List<RunContent> readAll(List<Path> files) throws IOException {
+    List<RunContent> runs = new ArrayList<>();
+    Optional<Geodetic> origin = Optional.empty();
+    for (Path file : files) {
+      RunContent run = read(file, Optional.empty(), origin);
+      runs.add(run);
+      origin = origin.or(run.map::origin);
+    }
+    return runs;
+  }
+
+  private static RunContent read(Path file, Optional<Path> truthFile, Optional<Geodetic> origin)
+      throws IOException {
     Path beside = file.resolveSibling("track.csv");
     TruthTrack truth = null;
     if (truthFile.isPresent()) {
@@ -86,7 +110,7 @@ public final class RunContent {
     }
     try (RecordedMessages recording = RecordedMessages.open(file).requireMessages()) {
       McapReader reader = recording.reader();
-      RunContent content = new RunContent(file, reader, truth);
+      RunContent content = new RunContent(file, reader, truth, origin);
       content.facts(file, reader);
       recording.forEach(recording.channels(List.of()), RecordedSpan.all(reader), content::take);
       if (content.isShortened || content.map.isShortened() || content.latency.isShortened()) {
@@ -207,7 +231,7 @@ public final class RunContent {
     List<JsonText> figures = new ArrayList<>();
     figures.add(figure("duration", Trace.rounded(durationS), "s"));
     figures.add(figure("goals reached", (double) goalsReached.size(), ""));
-    figures.add(figure("goals", (double) goals.size(), ""));
+    figures.add(figure("goals begun", (double) goals.size(), ""));
     Trace off = charts.crossTrack();
     if (off.size() > 0) {
       figures.add(
@@ -219,7 +243,7 @@ public final class RunContent {
       figures.add(figure("position error, root mean square", charts.positionErrorRms(), "m"));
     }
     figures.add(figure("failsafes", (double) timeline.count("failsafe", true), ""));
-    figures.add(figure("services not alive", (double) timeline.count("condition", true), ""));
+    figures.add(figure("services not alive", (double) timeline.servicesNotAlive(), ""));
     figures.add(figure("emergency stops", (double) timeline.count("stop", true), ""));
     figures.add(
         figure("configuration changes", (double) timeline.count("configuration", false), ""));

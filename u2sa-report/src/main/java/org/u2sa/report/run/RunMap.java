@@ -22,8 +22,8 @@ import org.u2sa.report.message.FieldPath;
 import org.u2sa.report.page.Trace;
 
 /**
- * Content of the map, in metres east and north of the first state: estimated and true track, goals,
- * obstacles.
+ * Content of the map, in metres east and north of the first state or of another run's: estimated
+ * and true track, goals, obstacles.
  */
 final class RunMap {
   private static final int SIDES = 4;
@@ -35,6 +35,7 @@ final class RunMap {
   private static final double POINT_M = 0.3;
   private static final double GRID_EAST_M = 1e6; // upper bound of UTM eastings
   private static final double GRID_NORTH_M = 1e7;
+  private static final double SAME_PLACE_M = 20_000.0; // farther runs do not fit on one map
 
   private final Trace east = new Trace("east");
   private final Trace north = new Trace("north");
@@ -45,7 +46,20 @@ final class RunMap {
   private boolean isShortened;
   private Point at; // latest map position; null before the first state
   private Point fromLocal; // from a local frame to the map; null if unknown
+  private final Optional<Geodetic> shared; // origin of another run
   private Geodetic origin; // null before the first state
+
+  /**
+   * @param shared origin of another run's map, which is used if this run is not far from it
+   */
+  RunMap(Optional<Geodetic> shared) {
+    this.shared = shared;
+  }
+
+  /** Origin of the map; empty before the first state. */
+  Optional<Geodetic> origin() {
+    return Optional.ofNullable(origin);
+  }
 
   /** Map position; empty before the map has an origin. */
   Optional<Point> place(Geodetic at) {
@@ -59,7 +73,9 @@ final class RunMap {
     }
     Point own = Point.of(state.x().getAsDouble(), state.y().getAsDouble(), state.z().orElse(0.0));
     Geodetic at = Geodetic.of(UtmGrid.global(state.referenceFrame(), own));
-    origin = origin == null ? at : origin;
+    if (origin == null) {
+      origin = shared.filter(other -> other.distanceM(at) < SAME_PLACE_M).orElse(at);
+    }
     Point point = origin.enuOf(at);
     this.at = point;
     east.add(timeS, point.x());
@@ -223,6 +239,7 @@ final class RunMap {
   JsonText json(TruthTrack truth, double truthFromS) {
     JsonText json =
         new JsonText()
+            .put("isShared", origin != null && shared.filter(origin::equals).isPresent())
             .put("track", line(east, north))
             .put("goals", new ArrayList<>(goals.values()))
             .put("objects", new ArrayList<>(objects.values()))

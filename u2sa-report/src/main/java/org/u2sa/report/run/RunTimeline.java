@@ -3,11 +3,14 @@ package org.u2sa.report.run;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import org.u2sa.interfaces.JsonText;
+import org.u2sa.messages.contract.Condition;
 import org.u2sa.messages.contract.ConfigurationAssignment;
 import org.u2sa.messages.contract.ConfigurationTransactionResult;
 import org.u2sa.messages.contract.HealthReport;
@@ -27,6 +30,7 @@ final class RunTimeline {
   private final List<Event> events = new ArrayList<>();
   private final Map<String, List<JsonText>> conditions = new TreeMap<>();
   private final Map<String, String> lastOf = new HashMap<>(); // last text by subject
+  private final Set<String> notAlive = new HashSet<>(); // services
   private int changes; // of all conditions
   private long leftOut;
 
@@ -99,6 +103,9 @@ final class RunTimeline {
     }
     List<JsonText> row = conditions.computeIfAbsent(name, key -> new ArrayList<>());
     row.add(new JsonText().put("t", Trace.rounded(timeS)).put("condition", text));
+    if (condition.condition() != Condition.ALIVE && condition.condition() != Condition.STOPPED) {
+      notAlive.add(name);
+    }
     if (row.size() > 1 || !text.equals("ALIVE")) {
       boolean bad = !text.equals("ALIVE");
       String action = condition.action().isEmpty() ? "" : " (" + condition.action() + ")";
@@ -128,6 +135,11 @@ final class RunTimeline {
       return;
     }
     events.add(new Event(timeS, kind, bad, ReportLimits.clipped(text)));
+  }
+
+  /** Number of services that were neither alive nor stopped at some time. */
+  long servicesNotAlive() {
+    return notAlive.size();
   }
 
   long count(String kind, boolean bad) {

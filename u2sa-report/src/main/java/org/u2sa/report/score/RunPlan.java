@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.Predicate;
 import java.util.function.ToDoubleFunction;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
@@ -17,6 +18,7 @@ import org.u2sa.messages.frame.Point;
  * @param fence corners of the keep-in area; empty if none
  * @param keepOuts corners of each keep-out area of the fence
  * @param surroundings objects around the vehicle
+ * @param others goals without a known position, for the map
  */
 public record RunPlan(
     Domain domain,
@@ -24,7 +26,16 @@ public record RunPlan(
     List<Waypoint> waypoints,
     List<Corner> fence,
     List<List<Corner>> keepOuts,
-    Surroundings surroundings) {
+    Surroundings surroundings,
+    List<OtherGoal> others) {
+
+  /**
+   * A goal without a known position, e.g. an object to find.
+   *
+   * @param name its name
+   * @param before index of the waypoint that follows it; number of waypoints if none does
+   */
+  public record OtherGoal(String name, int before) {}
 
   /** A corner of the fence [deg, east and north +]. */
   public record Corner(double longitudeDeg, double latitudeDeg) {}
@@ -33,23 +44,26 @@ public record RunPlan(
     waypoints = List.copyOf(waypoints);
     fence = List.copyOf(fence);
     keepOuts = List.copyOf(keepOuts);
+    others = List.copyOf(others);
   }
 
   /** Creates a plan without fence and surroundings. */
   public RunPlan(Domain domain, Optional<Start> home, List<Waypoint> waypoints) {
-    this(domain, home, waypoints, List.of(), List.of(), Surroundings.none());
+    this(domain, home, waypoints, List.of(), List.of(), Surroundings.none(), List.of());
   }
 
-  /** Cross-track distance of a position from a leg [m], right positive; 0 if there is no leg. */
-  public double crossTrackM(int leg, double longitudeDeg, double latitudeDeg) {
+  /** Cross-track distance of a position from a leg [m], right positive; empty if there is none. */
+  public OptionalDouble crossTrackM(int leg, double longitudeDeg, double latitudeDeg) {
     if (leg < 0 || leg >= waypoints.size() || leg == 0 && home.isEmpty()) {
-      return 0.0;
+      return OptionalDouble.empty();
     }
     Geodetic from = leg == 0 ? home.get().onMap() : waypoints.get(leg - 1).onMap();
     Point to = from.nedOf(waypoints.get(leg).onMap());
     Point here = from.nedOf(new Geodetic(longitudeDeg, latitudeDeg, 0.0));
     double length = Math.hypot(to.x(), to.y());
-    return length == 0.0 ? 0.0 : (to.x() * here.y() - to.y() * here.x()) / length;
+    return length == 0.0
+        ? OptionalDouble.empty()
+        : OptionalDouble.of((to.x() * here.y() - to.y() * here.x()) / length);
   }
 
   /** Horizontal distance of a position from a leg's end [m]; 0 if there is no leg. */
@@ -73,14 +87,14 @@ public record RunPlan(
 
   /** Copy with a fence. */
   public RunPlan within(List<Corner> corners, List<List<Corner>> out) {
-    return new RunPlan(domain, home, waypoints, corners, out, surroundings);
+    return new RunPlan(domain, home, waypoints, corners, out, surroundings, others);
   }
 
   /** Copy with another waypoint at an index. */
   public RunPlan with(int index, Waypoint waypoint) {
-    List<Waypoint> others = new ArrayList<>(waypoints);
-    others.set(index, waypoint);
-    return new RunPlan(domain, home, others, fence, keepOuts, surroundings);
+    List<Waypoint> changed = new ArrayList<>(waypoints);
+    changed.set(index, waypoint);
+    return new RunPlan(domain, home, changed, fence, keepOuts, surroundings, others);
   }
 
   /** Copy with these capture radii of the waypoints [m], more than 0. */
@@ -89,12 +103,37 @@ public record RunPlan(
         waypoints.stream()
             .map(w -> w.within(radiusM.applyAsDouble(w), w.verticalThresholdM()))
             .toList();
-    return new RunPlan(domain, home, within, fence, keepOuts, surroundings);
+    return new RunPlan(domain, home, within, fence, keepOuts, surroundings, others);
+  }
+
+  /** Copy without the waypoints that a condition excludes. */
+  public RunPlan keeping(Predicate<Waypoint> condition) {
+    List<OtherGoal> shifted =
+        others.stream()
+            .map(
+                each ->
+                    new OtherGoal(
+                        each.name(),
+                        (int) waypoints.stream().limit(each.before()).filter(condition).count()))
+            .toList();
+    return new RunPlan(
+        domain,
+        home,
+        waypoints.stream().filter(condition).toList(),
+        fence,
+        keepOuts,
+        surroundings,
+        shifted);
+  }
+
+  /** Copy with goals without a known position. */
+  public RunPlan with(List<OtherGoal> goals) {
+    return new RunPlan(domain, home, waypoints, fence, keepOuts, surroundings, goals);
   }
 
   /** Copy with surroundings. */
   public RunPlan among(Surroundings around) {
-    return new RunPlan(domain, home, waypoints, fence, keepOuts, around);
+    return new RunPlan(domain, home, waypoints, fence, keepOuts, around, others);
   }
 
   /**

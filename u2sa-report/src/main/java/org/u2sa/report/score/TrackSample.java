@@ -1,6 +1,7 @@
 package org.u2sa.report.score;
 
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Geodetic;
 
 /**
@@ -12,8 +13,9 @@ import org.u2sa.messages.frame.Geodetic;
  * @param altitudeM altitude above mean sea level [m]
  * @param headingRad true heading [rad], clockwise from north
  * @param groundSpeedMps horizontal speed over ground [m/s]
- * @param crossTrackM cross-track error according to the vehicle's guidance [m], right positive;
- *     only for the track file and the picture, not for the score
+ * @param crossTrackM distance from the line between the last waypoint and the target [m], right
+ *     positive; empty if the vehicle is not on its way along one; only for the track file and the
+ *     picture, not for the score
  * @param leg index of the target waypoint, from 0; −1 if none yet; number of waypoints if all are
  *     done
  * @param phase phase of the run, e.g. {@code CLIMB}
@@ -26,7 +28,7 @@ public record TrackSample(
     double altitudeM,
     double headingRad,
     double groundSpeedMps,
-    double crossTrackM,
+    OptionalDouble crossTrackM,
     int leg,
     String phase,
     Optional<Flight> flight) {
@@ -62,7 +64,7 @@ public record TrackSample(
     finite("altitudeM", altitudeM);
     finite("headingRad", headingRad);
     finite("groundSpeedMps", groundSpeedMps);
-    finite("crossTrackM", crossTrackM);
+    crossTrackM.ifPresent(metres -> finite("crossTrackM", metres));
     if (leg < -1) {
       throw new IllegalArgumentException("leg: " + leg + ", expected -1 or more");
     }
@@ -77,7 +79,7 @@ public record TrackSample(
         altitudeM,
         headingRad,
         groundSpeedMps,
-        0.0,
+        OptionalDouble.empty(),
         target,
         phase,
         flight);

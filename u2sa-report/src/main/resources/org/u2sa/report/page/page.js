@@ -176,7 +176,12 @@
       }
       if (best >= 0) setCursor(track[best]);
     });
-    document.getElementById("map-note").textContent = "Metres east and north of the first state. Circles are goals with their threshold: filled, reached; red, not. "
+    // A run without a state has no place; one far from the others has its own origin.
+    const placed = runs.filter(run => run.map.track.length > 0);
+    const apart = placed.slice(1).filter(run => !run.map.isShared).map(run => run.name);
+    document.getElementById("map-note").textContent = `Metres east and north of the first state${several ? " of " + (placed[0] || runs[0]).name : ""}. `
+      + (apart.length ? `Elsewhere, and drawn from its own first state: ${apart.join(", ")}. ` : "")
+      + `Circles are goals${several ? " of " + runs[0].name : ""} with their threshold: filled, reached; red, not. `
       + (runs[0].map.truth && !several ? "Wide grey: true track. " : "") + (runs[0].map.objects.length || runs[0].map.cells.squares.length ? "Orange: what was seen in the way. " : "") + "Click: move the cursor there.";
   };
   // Omits a section without content in any run.
@@ -222,6 +227,8 @@
     svg("text", { class: "soft", x: x(m), y: height - 7, "text-anchor": "middle" }, group, time(m));
   });
 
+  // In a comparison, colours are runs, and strokes are the lines of a run; the legend has the stroke before each name.
+  const STROKES = [{ dash: "", sign: "\u2014" }, { dash: "6 4", sign: "- -" }, { dash: "2 3", sign: "\u00b7\u00b7\u00b7" }, { dash: "8 3 2 3", sign: "-\u00b7-" }];
   const drawChart = title => {
     const lines = [];
     let unit = "";
@@ -232,14 +239,14 @@
       unit = chart.unit;
       if (!several && chart.sigma) sigma = chart.sigma;
       chart.lines.forEach((line, i) => lines.push({
-        line, name: several ? (i === 0 ? run.name + (line.name ? ": " : "") : "") + line.name : line.name, colour: colour(several ? r : i),
-        dash: several ? ["", "5 3", "2 3"][i % 3] : line.name === "true" ? "5 3" : "" }));
+        line, name: several ? (i === 0 ? run.name + (line.name ? ": " : "") : "") + (chart.lines.length > 1 ? STROKES[i % 4].sign + "\u00a0" : "") + line.name : line.name, colour: colour(several ? r : i),
+        dash: several ? STROKES[i % 4].dash : line.name === "true" ? "5 3" : "" }));
     });
     if (lines.length === 0 && !sigma) return;
     const crowded = lines.length > 4; // then the legend has a separate line
     const TOP = crowded ? 50 : 30;
     const root = svg("svg", { class: "plot", viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img", "aria-label": title }, document.getElementById("charts"));
-    svg("text", { x: LEFT, y: 19, "font-weight": 600, style: "font-weight:600" }, root, title + (unit ? ` [${unit}]` : ""));
+    svg("text", { x: LEFT, y: 19, "font-weight": 600, style: "font-weight:600" }, root, (several ? title.replace(", and 2σ as estimated", "") : title) + (unit ? ` [${unit}]` : ""));
     const clip = "clip" + Math.random().toString(36).slice(2);
     svg("rect", { x: LEFT, y: TOP, width: WIDTH - LEFT - RIGHT, height: HEIGHT - TOP - BOTTOM }, svg("clipPath", { id: clip }, svg("defs", {}, root)));
     const body = svg("g", {}, root);
@@ -383,8 +390,9 @@
       const row = element("tr", {}, table);
       if (several) element("td", {}, row, run.name);
       element("td", {}, row, each.channel);
-      [[each.messages, ""], [each.rateHz, " Hz"], [each.p50Ms, " ms"], [each.p99Ms, " ms"], [each.maxMs, " ms"]]
-        .forEach(([value, unit]) => element("td", { class: "number" }, row, number(value) + unit));
+      const rate = each.messages > 1 ? +each.rateHz.toPrecision(3) : null; // one message has no rate
+      [[each.messages, ""], [rate, " Hz"], [each.p50Ms, " ms"], [each.p99Ms, " ms"], [each.maxMs, " ms"]]
+        .forEach(([value, unit]) => element("td", { class: "number" }, row, value === null ? "–" : number(value) + unit));
     }));
   });
   {

@@ -31,7 +31,16 @@ class TrackKmlTest {
       double longitude = Math.IEEEremainder(fromDeg + 0.001 * i, 360.0);
       track.append(
           new TrackSample(
-              i, longitude, 10.0, 5.0, Math.PI / 2.0, 100.0, 0.0, 0, "", Optional.empty()));
+              i,
+              longitude,
+              10.0,
+              5.0,
+              Math.PI / 2.0,
+              100.0,
+              OptionalDouble.empty(),
+              0,
+              "",
+              Optional.empty()));
     }
     RunPlan plan =
         new RunPlan(

@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.u2sa.messages.ObjectList;
@@ -25,7 +26,7 @@ import org.u2sa.messages.shape.Polygon;
 class RunMapTest {
   @Test
   void map_gridOfALocalFrame_isPlacedByDeadReckoning() throws IOException {
-    RunMap map = new RunMap();
+    RunMap map = new RunMap(Optional.empty());
     map.take(0.0, new StateInformation().sensorName("e").x(8.0).y(50.0));
     StateInformation local = new StateInformation().sensorName("e");
     map.takeLocal(local.referenceFrame(ReferenceFrame.LOCAL_ENU).x(100.0).y(200.0));
@@ -75,7 +76,7 @@ class RunMapTest {
     Map<ReferenceFrame, Double> eastward =
         Map.of(ReferenceFrame.LOCAL_ENU, 0.0, ReferenceFrame.LOCAL_NED, Math.PI / 2.0);
     for (Map.Entry<ReferenceFrame, Double> each : eastward.entrySet()) {
-      RunMap map = new RunMap();
+      RunMap map = new RunMap(Optional.empty());
       map.take(0.0, new StateInformation().sensorName("e").x(8.0).y(50.0));
       map.takeLocal(
           new StateInformation().sensorName("e").referenceFrame(each.getKey()).x(0.0).y(0.0));
@@ -89,7 +90,7 @@ class RunMapTest {
 
   @Test
   void map_objectAndGoalInUtm_areDrawn() throws IOException {
-    RunMap map = new RunMap();
+    RunMap map = new RunMap(Optional.empty());
     map.take(0.0, new StateInformation().sensorName("e").x(9.0).y(50.0));
     Point grid = new UtmGrid(ReferenceFrame.utm(32, true)).grid(new Geodetic(9.0, 50.0, 0.0));
     ReferenceFrame utm = ReferenceFrame.utm(32, true);
@@ -103,7 +104,7 @@ class RunMapTest {
 
   @Test
   void take_placesThatAreNone_areLeftOut() throws IOException {
-    RunMap map = new RunMap();
+    RunMap map = new RunMap(Optional.empty());
     map.take(0.0, new StateInformation().sensorName("e").x(9.0).y(50.0));
     map.take(
         new ObjectList()
@@ -117,7 +118,7 @@ class RunMapTest {
 
   @Test
   void take_hugeObjectsAndNames_areThinnedAndCut() {
-    RunMap map = new RunMap();
+    RunMap map = new RunMap(Optional.empty());
     map.take(0.0, new StateInformation().sensorName("e").x(8.0).y(50.0));
     List<Point> corners =
         IntStream.range(0, 90_000)
@@ -144,7 +145,7 @@ class RunMapTest {
     Geodetic place = new Geodetic(8.001, 50.0, 0.0);
     ReferenceFrame grid = UtmGrid.frameAt(place);
     Point at = new UtmGrid(grid).grid(place);
-    RunMap map = new RunMap();
+    RunMap map = new RunMap(Optional.empty());
     map.take(0.0, new StateInformation().sensorName("e").x(8.0).y(50.0));
 
     StateInformation state = new StateInformation().sensorName("e").referenceFrame(grid);
@@ -152,5 +153,28 @@ class RunMapTest {
 
     assertThat(point.x()).isCloseTo(71.7, within(0.1));
     assertThat(point.y()).isCloseTo(0.0, within(0.01));
+  }
+
+  private static double eastOf(RunMap map) throws IOException {
+    JsonNode json = new ObjectMapper().readTree(map.json(null, 0.0).line());
+    return json.get("track").get(1).asDouble();
+  }
+
+  @Test
+  void map_originOfAnotherRunNearby_isShared() throws IOException {
+    RunMap map = new RunMap(Optional.of(new Geodetic(8.0, 0.0, 0.0)));
+    map.take(0.0, new StateInformation().sensorName("e").x(8.0001).y(0.0));
+
+    assertThat(eastOf(map)).isCloseTo(11.13, within(0.01));
+    assertThat(map.json(null, 0.0).line()).contains("\"isShared\":true");
+  }
+
+  @Test
+  void map_originOfAnotherRunFarAway_isNotShared() throws IOException {
+    RunMap map = new RunMap(Optional.of(new Geodetic(9.0, 0.0, 0.0)));
+    map.take(0.0, new StateInformation().sensorName("e").x(8.0001).y(0.0));
+
+    assertThat(eastOf(map)).isZero();
+    assertThat(map.json(null, 0.0).line()).contains("\"isShared\":false");
   }
 }

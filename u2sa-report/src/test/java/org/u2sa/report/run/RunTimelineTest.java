@@ -60,4 +60,15 @@ class RunTimelineTest {
     assertThat(timeline.count("failsafe", true)).isEqualTo(1);
     assertThat(timeline.json().line()).contains("HOLD: link", "\"leftOut\":0");
   }
+
+  @Test
+  void servicesNotAlive_conditions_countsServicesNotEvents() {
+    for (int i = 0; i < 3; i++) {
+      timeline.take(2 * i, new ServiceCondition().serviceName("s").condition(Condition.SILENT));
+      timeline.take(2 * i + 1, new ServiceCondition().serviceName("s").condition(Condition.ALIVE));
+    }
+    timeline.take(9.0, new ServiceCondition().serviceName("t").condition(Condition.STOPPED));
+
+    assertThat(timeline.servicesNotAlive()).isEqualTo(1);
+  }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
@@ -30,7 +31,16 @@ class FenceBreachesTest {
         .mapToObj(
             i ->
                 new TrackSample(
-                    i, longitudes[i], 0.1, 0.0, 0.0, 1.0, 0.0, 0, "DRIVES", Optional.empty()))
+                    i,
+                    longitudes[i],
+                    0.1,
+                    0.0,
+                    0.0,
+                    1.0,
+                    OptionalDouble.empty(),
+                    0,
+                    "DRIVES",
+                    Optional.empty()))
         .toList();
   }
 

@@ -136,9 +136,12 @@ class RunScorerTest {
             "floor", 10.0, 54.0, OptionalDouble.of(500.0), 1.0, OptionalDouble.of(1.0));
     List<TrackSample> elevator =
         List.of(
-            new TrackSample(0.0, 10.0, 54.0, 480.0, 0, 0, 0, 0, "UP", Optional.empty()),
-            new TrackSample(10.0, 10.0, 54.0, 490.0, 0, 0, 0, 0, "UP", Optional.empty()),
-            new TrackSample(20.0, 10.0, 54.0, 510.0, 0, 0, 0, 0, "UP", Optional.empty()));
+            new TrackSample(
+                0.0, 10.0, 54.0, 480.0, 0, 0, OptionalDouble.empty(), 0, "UP", Optional.empty()),
+            new TrackSample(
+                10.0, 10.0, 54.0, 490.0, 0, 0, OptionalDouble.empty(), 0, "UP", Optional.empty()),
+            new TrackSample(
+                20.0, 10.0, 54.0, 510.0, 0, 0, OptionalDouble.empty(), 0, "UP", Optional.empty()));
 
     WaypointResult result =
         RunScorer.score(
@@ -166,7 +169,7 @@ class RunScorerTest {
             500.0,
             0,
             50,
-            0,
+            OptionalDouble.empty(),
             0,
             "CRUISE",
             Optional.of(new TrackSample.Flight(0, 0, 50, false)));
@@ -196,7 +199,7 @@ class RunScorerTest {
             100.0,
             0,
             5.0,
-            0,
+            OptionalDouble.empty(),
             0,
             "ROLL",
             Optional.of(new TrackSample.Flight(0.9, 0, 5.0, true)));
@@ -208,7 +211,7 @@ class RunScorerTest {
             110.0,
             0,
             30.0,
-            0,
+            OptionalDouble.empty(),
             0,
             "CLIMB",
             Optional.of(new TrackSample.Flight(0.8, 0, 30.0, false)));
@@ -220,7 +223,7 @@ class RunScorerTest {
             116.0,
             0,
             35.0,
-            0,
+            OptionalDouble.empty(),
             0,
             "CLIMB",
             Optional.of(new TrackSample.Flight(-0.3, 0, 35.0, false)));

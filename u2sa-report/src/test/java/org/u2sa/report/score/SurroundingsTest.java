@@ -62,7 +62,7 @@ class SurroundingsTest {
               500.0,
               0.0,
               50.0,
-              0.0,
+              OptionalDouble.empty(),
               0,
               "CRUISE",
               Optional.of(new TrackSample.Flight(0.0, 0.0, 50.0, false))));

@@ -45,7 +45,7 @@ public final class SyntheticFlight {
         altitudeM,
         0.5,
         SPEED_MPS + 2.0,
-        1.5,
+        OptionalDouble.of(1.5),
         leg,
         phase,
         Optional.of(new TrackSample.Flight(0.1, 0.05, SPEED_MPS, onGround)));

@@ -182,7 +182,7 @@ class RunReportTest {
             4.0,
             Math.PI,
             0.0,
-            -1.25,
+            OptionalDouble.of(-1.25),
             0,
             "TAKE-OFF, ROLL",
             Optional.of(new TrackSample.Flight(-0.1, 0.05, 0.0, true))));
@@ -194,7 +194,7 @@ class RunReportTest {
             4.0,
             Math.PI,
             50.0,
-            0.0,
+            OptionalDouble.empty(),
             1,
             "CLIMB",
             Optional.of(new TrackSample.Flight(0.0, 0.0, 51.4444, false))));
@@ -204,7 +204,7 @@ class RunReportTest {
             "time_s,longitude_deg,latitude_deg,altitude_m,heading_deg,roll_deg,pitch_deg,calibrated_airspeed_mps,ground_speed_mps,"
                 + "cross_track_m,leg,on_ground,phase\n"
                 + "0.000,-157.92000000,21.32000000,4.000,180.000,-5.730,2.865,0.000,0.000,-1.250,0,1,\"TAKE-OFF, ROLL\"\n"
-                + "0.050,-157.92000010,21.32000000,4.000,180.000,0.000,0.000,51.444,50.000,0.000,1,0,CLIMB\n");
+                + "0.050,-157.92000010,21.32000000,4.000,180.000,0.000,0.000,51.444,50.000,,1,0,CLIMB\n");
   }
 
   @Test

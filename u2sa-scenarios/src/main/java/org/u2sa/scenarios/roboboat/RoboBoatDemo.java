@@ -2,9 +2,7 @@ package org.u2sa.scenarios.roboboat;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.concurrent.Callable;
-import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.communication.Transport;
@@ -92,12 +90,7 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
   /** {@inheritDoc} Omits the sub-vehicle's destination. */
   @Override
   public RunPlan plan(Mission mission) {
-    RunPlan all = Demo.super.plan(mission);
-    List<RunPlan.Waypoint> own =
-        all.waypoints().stream()
-            .filter(each -> !each.name().equals(BoatMission.FETCH))
-            .collect(Collectors.toList());
-    return new RunPlan(all.domain(), all.home(), own);
+    return Demo.super.plan(mission).keeping(each -> !each.name().equals(BoatMission.FETCH));
   }
 
   @Override

@@ -2,13 +2,11 @@ package org.u2sa.scenarios.suas;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicReference;
-import java.util.stream.Collectors;
 import org.u2sa.device.RadarSensor;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
@@ -150,12 +148,8 @@ final class SuasDemo implements Callable<Integer>, Demo {
   /** {@inheritDoc} Only for the waypoints, whose names are numbers. */
   @Override
   public RunPlan plan(Mission mission) {
-    RunPlan all = RunPlans.placed(profile().domain(), mission, start(mission), SuasField.plane());
-    List<RunPlan.Waypoint> numbered =
-        all.waypoints().stream()
-            .filter(each -> Character.isDigit(each.name().charAt(0)))
-            .collect(Collectors.toList());
-    return new RunPlan(all.domain(), all.home(), numbered);
+    return RunPlans.placed(profile().domain(), mission, start(mission), SuasField.plane())
+        .keeping(each -> Character.isDigit(each.name().charAt(0)));
   }
 
   @Override

@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
@@ -324,7 +325,7 @@ final class BoardCommand implements Callable<Integer> {
         at.altitudeM(),
         truth.headingRad(),
         truth.speedMps(),
-        0.0,
+        OptionalDouble.empty(),
         -1,
         TruthObserver.moves(truth) ? "MOVES" : "STANDS",
         Optional.empty());

@@ -9,6 +9,7 @@ import java.util.OptionalInt;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.u2sa.cli.run.MavlinkLinks;
+import org.u2sa.cli.run.SafetyLines;
 import org.u2sa.cli.run.TroubleLines;
 import org.u2sa.cli.terminal.Console;
 import org.u2sa.cli.terminal.PlainLines;
@@ -59,6 +60,7 @@ record DemoRun(
     List<SwapOperator.PlannedSwap> swaps,
     MavlinkLinks mavlink) {
   private static final long LOOK_EVERY_MICROS = 50_000;
+  private static final double ARMED_WITHIN_S = 10.0; // longer than estimators need for a start
   private static final Clock STOPWATCH = new SystemClock();
 
   /** Runs in lockstep, as fast as the machine allows; reproducible from the seed. */
@@ -70,7 +72,7 @@ record DemoRun(
         clock,
         seed,
         simulation,
-        observer ->
+        (observer, screen) ->
             clock.runUntil(() -> isOver(observer), clock.micros() + Clock.micros(limitS())));
   }
 
@@ -90,10 +92,10 @@ record DemoRun(
         clock,
         seed,
         simulation,
-        observer -> {
+        (observer, screen) -> {
           Clock.Waiter waiter = clock.newWaiter("run");
           ReadingsWatch link =
-              new ReadingsWatch(clock, simulation.vehicle(), patience, terminal.out()::println);
+              new ReadingsWatch(clock, simulation.vehicle(), patience, screen::print);
           long limit = clock.micros() + Clock.micros(limitS());
           while (!isOver(observer)
               && clock.micros() < limit
@@ -118,7 +120,7 @@ record DemoRun(
   /** Waits until a run is over. */
   @FunctionalInterface
   private interface Wait {
-    void until(RunObserver observer) throws InterruptedException;
+    void until(RunObserver observer, RunScreen screen) throws InterruptedException;
   }
 
   @SuppressWarnings("try") // resources used only for closing
@@ -131,18 +133,19 @@ record DemoRun(
     try (Console.Detached output = PlainLines.detach(terminal.out(), clock);
         RunScreen screen = new RunScreen(plan, terminal, STOPWATCH);
         Simulation simulated = simulation; // closed last, so that neutral commands still reach it
-        RunningSystem running = RunningSystem.start(system, options);
-        TroubleLines troubles = plannersTroubles(running);
-        LocalSystems.Announcement announced = announced(running);
-        MavlinkLinks.Bridges bridges = mavlink.start(system, running, terminal.out()::println)) {
+        RunningSystem running = RunningSystem.start(system, options.console(screen::print));
+        TroubleLines troubles = plannersTroubles(running, screen);
+        SafetyLines safety = safety(running, clock, screen);
+        LocalSystems.Announcement announced = announced(running, screen);
+        MavlinkLinks.Bridges bridges = mavlink.start(system, running, screen::print)) {
       RunObserver observer =
           maker.make(
               running.contextFor(XmlConfiguration.inMemory("RunObserver", Map.of())), plan, screen);
       observer.service().start();
-      Optional<SwapOperator> operator = startOperator(running);
+      Optional<SwapOperator> operator = startOperator(running, screen);
       interruption.breakingOff(simulated::start);
       try {
-        wait.until(observer);
+        wait.until(observer, screen);
       } finally {
         operator.ifPresent(SwapOperator::kill);
         observer.service().kill();
@@ -163,7 +166,8 @@ record DemoRun(
               simulated.name(),
               wallS,
               OptionalInt.of(pursued.size()),
-              OptionalInt.of(completed)),
+              OptionalInt.of(completed),
+              safety.interventions()),
           fenced(observer.record().plan(), running),
           observer.record().track(),
           outcome(observer));
@@ -190,18 +194,22 @@ record DemoRun(
   }
 
   /** Reports limitations of the planner immediately, such as unattainable thresholds. */
-  private TroubleLines plannersTroubles(RunningSystem running) {
+  private static TroubleLines plannersTroubles(RunningSystem running, RunScreen screen) {
     return new TroubleLines(
         running.communicationManager().transport(),
         "PathPlanner"::equals,
         STOPWATCH,
-        terminal.out()::println);
+        screen::print);
   }
 
-  private LocalSystems.Announcement announced(RunningSystem running) {
+  private static SafetyLines safety(RunningSystem running, Clock clock, RunScreen screen) {
+    return new SafetyLines(
+        running.communicationManager().transport(), clock, ARMED_WITHIN_S, screen::print);
+  }
+
+  private LocalSystems.Announcement announced(RunningSystem running, RunScreen screen) {
     return LocalSystems.ofAccount()
-        .announce(
-            system.systemId(), running.communicationManager().address(), terminal.out()::println);
+        .announce(system.systemId(), running.communicationManager().address(), screen::print);
   }
 
   private static RunPlan fenced(RunPlan plan, RunningSystem running) {
@@ -223,7 +231,7 @@ record DemoRun(
         .toList();
   }
 
-  private Optional<SwapOperator> startOperator(RunningSystem running) {
+  private Optional<SwapOperator> startOperator(RunningSystem running, RunScreen screen) {
     if (swaps.isEmpty()) {
       return Optional.empty();
     }
@@ -233,7 +241,7 @@ record DemoRun(
         new SwapOperator(
             running.contextFor(XmlConfiguration.inMemory("SwapOperator", Map.of())),
             swaps,
-            terminal.out()::println);
+            screen::print);
     operator.start();
     return Optional.of(operator);
   }
@@ -258,9 +266,7 @@ record DemoRun(
     }
   }
 
-  /**
-   * Shows the progress of a run on the terminal. Confined to the thread that calls {@link #accept}.
-   */
+  /** Shows the progress of a run on the terminal. {@link #accept} is confined to one thread. */
   private static final class RunScreen implements Consumer<TrackSample>, AutoCloseable {
     private final RunPlan plan;
     private final LiveStatus live;
@@ -284,11 +290,16 @@ record DemoRun(
       live.update(
           new LiveStatus.Moment(
               sample,
-              Math.min(sample.leg() + 1, count),
+              sample.leg() + 1,
               count,
               underWay ? plan.waypoints().get(sample.leg()).name() : "",
               () -> plan.distanceM(sample.leg(), sample.longitudeDeg(), sample.latitudeDeg()),
               Clock.seconds(stopwatch.micros() - startMicros)));
+    }
+
+    /** Prints a line about an event. Thread-safe. */
+    void print(String line) {
+      live.print(line);
     }
 
     @Override

@@ -61,7 +61,7 @@ final class RunLoop {
       } else {
         report.write(runDirectory).ifPresent(terminal.out()::println);
       }
-      WaypointTable.print(terminal, report.score());
+      WaypointTable.print(terminal, report.facts(), report.score());
       terminal.out().println("Files of the run: " + runDirectory);
       reports.add(withoutTrack(report)); // the tracks of many runs would exhaust the memory
     }

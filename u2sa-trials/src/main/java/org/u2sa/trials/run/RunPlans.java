@@ -32,6 +32,7 @@ public final class RunPlans {
    */
   static RunPlan of(Domain domain, Mission mission, Optional<RunPlan.Start> home) {
     List<RunPlan.Waypoint> waypoints = new ArrayList<>();
+    List<RunPlan.OtherGoal> others = new ArrayList<>();
     for (int i = 0; i < mission.goals().size(); i++) {
       GoalInformation goal = mission.goals().get(i);
       if (goal instanceof Waypoint waypoint) {
@@ -44,27 +45,34 @@ public final class RunPlans {
                 waypoint.z(),
                 waypoint.horizontalThreshold(),
                 waypoint.verticalThreshold()));
+      } else {
+        others.add(new RunPlan.OtherGoal(goal.uid(), waypoints.size()));
       }
     }
-    return new RunPlan(domain, home, waypoints);
+    return new RunPlan(domain, home, waypoints).with(others);
   }
 
   /**
-   * The plan of any mission: waypoints on the earth or in a local frame. Other goals are omitted,
-   * and so are payload drops: an aeroplane releases the payload far before the place where it must
-   * land.
+   * The plan of any mission: waypoints on the earth or in a local frame. Payload drops are omitted:
+   * an aeroplane releases the payload far before the place where it must land.
    *
    * @param local plane at the origin of the local frames
    */
   public static RunPlan placed(
       Domain domain, Mission mission, RunPlan.Start home, LocalPlane local) {
     List<RunPlan.Waypoint> waypoints = new ArrayList<>();
+    List<RunPlan.OtherGoal> others = new ArrayList<>();
     for (GoalInformation goal : mission.goals()) {
-      if (goal instanceof Waypoint waypoint && !(goal instanceof PayloadDrop)) {
-        waypoint(waypoint, local.origin()).ifPresent(waypoints::add);
+      Optional<RunPlan.Waypoint> placed =
+          goal instanceof Waypoint waypoint && !(goal instanceof PayloadDrop)
+              ? waypoint(waypoint, local.origin())
+              : Optional.empty();
+      placed.ifPresent(waypoints::add);
+      if (!(goal instanceof Waypoint)) {
+        others.add(new RunPlan.OtherGoal(goal.uid(), waypoints.size()));
       }
     }
-    return new RunPlan(domain, Optional.of(home), waypoints);
+    return new RunPlan(domain, Optional.of(home), waypoints).with(others);
   }
 
   /**

@@ -7,6 +7,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.u2sa.interfaces.communication.Channels;
@@ -239,7 +240,7 @@ public final class RunRecord {
             altitudeM,
             headingRad,
             speedMps,
-            onLine ? plan().crossTrackM(leg, longitudeDeg, latitudeDeg) : 0.0,
+            onLine ? plan().crossTrackM(leg, longitudeDeg, latitudeDeg) : OptionalDouble.empty(),
             leg,
             phase,
             flight);

@@ -9,7 +9,7 @@ import org.u2sa.report.score.TrackSample;
 /**
  * Shows the progress of a run. On a terminal, redraws a panel in place at most ten times a second
  * of {@link Moment#elapsedS()}; to a pipe or file, prints a line at each change of phase or
- * waypoint and every ten simulated seconds. Not thread-safe.
+ * waypoint and every ten simulated seconds. Thread-safe.
  */
 public final class LiveStatus implements AutoCloseable {
 
@@ -17,27 +17,46 @@ public final class LiveStatus implements AutoCloseable {
   private static final double LINE_S = 10.0;
   private static final int BAR_WIDTH = 20;
   private static final String CLEAR_TO_END_OF_LINE = "\u001b[K";
+  private static final String CLEAR_TO_END_OF_SCREEN = "\u001b[J";
 
   private final Terminal terminal;
   private Moment shown; // last one printed
   private Moment newest;
   private int panelLines; // lines to move up for the next redraw
+  private boolean closed;
 
   public LiveStatus(Terminal terminal) {
     this.terminal = terminal;
   }
 
   /** Updates the status; cheap if not due for display. */
-  public void update(Moment status) {
+  public synchronized void update(Moment status) {
     newest = status;
     if (isDue(status)) {
       show(status);
     }
   }
 
+  /** Prints a line about an event, above the panel on a terminal. */
+  public synchronized void print(String line) {
+    if (panelLines > 0) {
+      terminal.out().print(up() + '\r' + CLEAR_TO_END_OF_SCREEN);
+      panelLines = 0;
+    }
+    terminal.out().println(line);
+    if (terminal.redraws() && newest != null && !closed) {
+      show(newest);
+    }
+  }
+
+  private String up() {
+    return "\u001b[" + panelLines + 'A';
+  }
+
   /** Shows the last moment unconditionally, and leaves the cursor below it. */
   @Override
-  public void close() {
+  public synchronized void close() {
+    closed = true;
     if (newest != null && newest != shown) {
       show(newest);
     }
@@ -69,7 +88,7 @@ public final class LiveStatus implements AutoCloseable {
   private void redraw(List<String> lines) {
     StringBuilder text = new StringBuilder();
     if (panelLines > 0) {
-      text.append("\u001b[").append(panelLines).append('A');
+      text.append(up());
     }
     for (int i = 0; i < lines.size(); i++) {
       String fitted = terminal.fitted(lines.get(i));
@@ -87,8 +106,9 @@ public final class LiveStatus implements AutoCloseable {
         format("%-10s %s %s", s.phase(), bar(s), target(s)),
         figures(
             s.sample(),
-            "altitude %6.0f m   speed %5.1f m/s   bank %+4.0f deg   off track %+5.0f m",
-            "speed %5.2f m/s   heading %3d deg   off track %+6.2f m"),
+            "   ",
+            "altitude %6.0f m   speed %5.1f m/s   bank %+4.0f deg",
+            "speed %5.2f m/s   heading %3d deg"),
         format("simulated %s   elapsed %s%s", clock(s.simulatedS()), clock(s.elapsedS()), rate(s)));
   }
 
@@ -100,29 +120,39 @@ public final class LiveStatus implements AutoCloseable {
         target(s),
         figures(
             s.sample(),
-            "altitude %.0f m  speed %.1f m/s  bank %+.0f deg  off track %+.0f m",
-            "speed %.2f m/s  heading %d deg  off track %+.2f m"),
+            "  ",
+            "altitude %.0f m  speed %.1f m/s  bank %+.0f deg",
+            "speed %.2f m/s  heading %d deg"),
         clock(s.elapsedS()));
   }
 
-  private static String figures(TrackSample sample, String inFlight, String onGround) {
+  private static String figures(TrackSample sample, String gap, String inFlight, String onGround) {
+    String metres = "%+.2f m";
+    String figures;
     if (sample.flight().isPresent()) {
       TrackSample.Flight flight = sample.flight().get();
-      return format(
-          inFlight,
-          sample.altitudeM(),
-          flight.calibratedAirspeedMps(),
-          Math.toDegrees(flight.rollRad()),
-          sample.crossTrackM());
+      metres = "%+.0f m";
+      figures =
+          format(
+              inFlight,
+              sample.altitudeM(),
+              flight.calibratedAirspeedMps(),
+              Math.toDegrees(flight.rollRad()));
+    } else {
+      long heading = Math.round(Math.toDegrees(sample.headingRad()));
+      figures = format(onGround, sample.groundSpeedMps(), Math.floorMod(heading, 360L));
     }
-    long heading = Math.round(Math.toDegrees(sample.headingRad()));
-    return format(
-        onGround, sample.groundSpeedMps(), Math.floorMod(heading, 360L), sample.crossTrackM());
+    return sample.crossTrackM().isPresent()
+        ? figures + gap + "off track " + format(metres, sample.crossTrackM().getAsDouble())
+        : figures;
   }
 
   private static String target(Moment s) {
     if (s.waypoint() == 0) {
       return "no waypoint";
+    }
+    if (s.waypoint() > s.waypoints()) {
+      return "no waypoint left";
     }
     String name = s.waypointName().isEmpty() ? "" : " (" + s.waypointName() + ")";
     String distance =
@@ -159,7 +189,8 @@ public final class LiveStatus implements AutoCloseable {
    * A moment of a run, for display.
    *
    * @param sample ground truth and activity of the vehicle
-   * @param waypoint number of the target waypoint, from 1; 0 if none
+   * @param waypoint number of the target waypoint, from 1; 0 if none; more than {@code waypoints}
+   *     if none is left
    * @param waypoints number of waypoints of the mission
    * @param waypointName name of the target waypoint; may be empty
    * @param distanceM horizontal distance to it [m]; evaluated only if shown

@@ -8,6 +8,7 @@ import java.util.stream.Stream;
 import org.u2sa.cli.terminal.Terminal;
 import org.u2sa.report.score.FlightFigures;
 import org.u2sa.report.score.ObstacleResult;
+import org.u2sa.report.score.RunDetails;
 import org.u2sa.report.score.RunOutcome;
 import org.u2sa.report.score.RunScore;
 import org.u2sa.report.score.WaypointResult;
@@ -23,8 +24,8 @@ public final class WaypointTable {
 
   private WaypointTable() {}
 
-  /** Prints {@code score}. */
-  public static void print(Terminal terminal, RunScore score) {
+  /** Prints the result of a run. */
+  public static void print(Terminal terminal, RunDetails facts, RunScore score) {
     List<WaypointResult> results = score.waypoints();
     Stream<String> names =
         Stream.concat(
@@ -44,7 +45,7 @@ public final class WaypointTable {
     }
     obstacles(score, width).forEach(line -> terminal.out().println(terminal.fitted(line)));
     summary(score).forEach(line -> terminal.out().println(terminal.fitted(line)));
-    String verdict = score.verdict();
+    String verdict = facts.verdict(score);
     terminal.out().println(score.success() ? terminal.good(verdict) : terminal.bad(verdict));
     if (score.outcome().crashed()) {
       terminal.out().println(terminal.bad("no success: " + contacts(score)));

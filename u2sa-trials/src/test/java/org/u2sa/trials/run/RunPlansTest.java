@@ -84,4 +84,21 @@ class RunPlansTest {
         .extracting(RunPlan.Waypoint::name)
         .containsExactly("a");
   }
+
+  @Test
+  void placed_objectGoal_interruptsTheLineBeforeTheNextWaypoint() throws IOException {
+    String at = "<reference>Local ENU</reference><x>4</x><y>8</y>";
+    RunPlan plan =
+        placed(
+            "<waypoint><name>a</name>"
+                + at
+                + "</waypoint><objectGoal><name>buoy</name><objectType>buoy</objectType>"
+                + "<within>2</within></objectGoal><waypoint><name>b</name>"
+                + at
+                + "</waypoint>");
+
+    assertThat(plan.others()).containsExactly(new RunPlan.OtherGoal("buoy", 1));
+    assertThat(plan.keeping(waypoint -> waypoint.name().equals("b")).others())
+        .containsExactly(new RunPlan.OtherGoal("buoy", 0));
+  }
 }

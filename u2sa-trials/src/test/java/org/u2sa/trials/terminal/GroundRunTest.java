@@ -47,7 +47,16 @@ class GroundRunTest {
   private static TrackSample sample(double timeS, double eastM, double northM, int leg) {
     GeodesicData place = at(eastM, northM);
     return new TrackSample(
-        timeS, place.lon2, place.lat2, 0.0, -1.0, 1.0, 0.25, leg, "DRIVES", Optional.empty());
+        timeS,
+        place.lon2,
+        place.lat2,
+        0.0,
+        -1.0,
+        1.0,
+        OptionalDouble.of(0.25),
+        leg,
+        "DRIVES",
+        Optional.empty());
   }
 
   /** From corner to corner at 1 m/s, beside the lines by the same distance. */
@@ -147,8 +156,9 @@ class GroundRunTest {
   @CsvSource({"1, 1 contact", "2, 2 contacts"})
   void terminal_contacts_areNoSuccess(int contacts, String words) {
     StringWriter text = new StringWriter();
-    WaypointTable.print(
-        new Terminal(new PrintWriter(text), false, false, 100), report(contacts).score());
+    RunReport report = report(contacts);
+    Terminal terminal = new Terminal(new PrintWriter(text), false, false, 100);
+    WaypointTable.print(terminal, report.facts(), report.score());
 
     assertThat(text.toString().lines()).contains("no success: " + words);
   }
@@ -157,7 +167,7 @@ class GroundRunTest {
   void terminal_tableAndStatus_sayCentimetresAndNoAltitude() {
     StringWriter text = new StringWriter();
     Terminal terminal = new Terminal(new PrintWriter(text), false, false, 100);
-    WaypointTable.print(terminal, report().score());
+    WaypointTable.print(terminal, report().facts(), report().score());
     LiveStatus live = new LiveStatus(terminal);
     live.update(new LiveStatus.Moment(sample(65.0, 1.0, 2.0, 1), 2, 4, "gate 1", () -> 12.34, 1.0));
 

@@ -5,7 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.cli.terminal.Terminal;
 import org.u2sa.report.score.TrackSample;
 
@@ -27,7 +30,7 @@ class LiveStatusTest {
             914.4,
             0.0,
             50.0,
-            14.2,
+            OptionalDouble.of(14.2),
             waypoint - 1,
             phase,
             Optional.of(flight));
@@ -96,5 +99,36 @@ class LiveStatusTest {
     LiveStatus live = new LiveStatus(new Terminal(out, true, false, 100));
     live.update(status("LEG", 4, 100.0, 2.0));
     assertThat(text.toString()).doesNotContainPattern(ESCAPE + "\\[[0-9]*m");
+  }
+
+  @Test
+  void print_terminal_isAboveThePanel() {
+    LiveStatus live = new LiveStatus(interactive(100));
+    live.update(status("LEG", 4, 100.0, 2.0));
+    live.print("disarmed");
+    live.close();
+
+    String[] parts = text.toString().split("disarmed", -1);
+    assertThat(parts).hasSize(2);
+    assertThat(parts[0]).endsWith(ESCAPE + "[3A\r" + ESCAPE + "[J"); // removes the panel
+    assertThat(parts[1]).contains("waypoint 4 of 10").doesNotContain(ESCAPE + "[3A");
+  }
+
+  private static LiveStatus.Moment onTheGround(int leg) {
+    TrackSample sample =
+        new TrackSample(
+            1.0, 8.0, 50.0, 0.0, 0.0, 0.5, OptionalDouble.empty(), leg, "DRIVES", Optional.empty());
+    return new LiveStatus.Moment(sample, leg + 1, 6, "", () -> 0.0, 1.0);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"-1, no waypoint", "6, no waypoint left"})
+  void update_noTarget_showsNeitherDistanceNorDeviation(int leg, String target) {
+    LiveStatus live = new LiveStatus(new Terminal(out, false, false, 80));
+    live.update(onTheGround(leg));
+
+    assertThat(text.toString())
+        .isEqualToIgnoringNewLines(
+            "00:01  DRIVES     " + target + "  speed 0.50 m/s  heading 0 deg  elapsed 00:01");
   }
 }

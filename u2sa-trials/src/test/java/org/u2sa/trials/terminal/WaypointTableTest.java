@@ -7,10 +7,12 @@ import java.io.StringWriter;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import org.u2sa.cli.terminal.Terminal;
 import org.u2sa.report.score.FlightFigures;
 import org.u2sa.report.score.ObstacleResult;
+import org.u2sa.report.score.RunDetails;
 import org.u2sa.report.score.RunOutcome;
 import org.u2sa.report.score.RunPlan;
 import org.u2sa.report.score.RunScore;
@@ -66,7 +68,9 @@ class WaypointTableTest {
 
   private static String printed(boolean colours, int columns) {
     StringWriter text = new StringWriter();
-    WaypointTable.print(new Terminal(new PrintWriter(text), colours, colours, columns), score());
+    RunDetails facts = new RunDetails("cessna", 1, "embedded", 1.0, OptionalInt.empty());
+    Terminal terminal = new Terminal(new PrintWriter(text), colours, colours, columns);
+    WaypointTable.print(terminal, facts, score());
     return text.toString();
   }
 
