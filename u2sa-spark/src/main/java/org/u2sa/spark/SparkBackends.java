@@ -11,7 +11,7 @@ public final class SparkBackends implements RunBackendProvider {
   public RunBackend at(String master, Path directory) {
     SparkMaster address = SparkMaster.of(master);
     SparkHome home = SparkHome.of(System.getenv(SparkHome.VARIABLE));
-    ClusterProperties.check(ClusterProperties.file(System.getenv()), WorkerProcess.javaOptions());
+    ClusterSecrets.check(ClusterProperties.file(System.getenv()), WorkerProcess.javaOptions());
     return new SparkRuns(home, address, address.localAddress(), directory);
   }
 }

@@ -42,7 +42,7 @@ class ClusterPropertiesTest {
   @DisabledOnOs(OS.WINDOWS)
   void read_fileOfTheOwnerAlone_hasItsSettings() throws IOException {
     Path file = file("rw-------");
-    ClusterProperties.check(file, List.of("-Xmx1g", "-Dspark.cores.max=4"));
+    ClusterSecrets.check(file, List.of("-Xmx1g", "-Dspark.cores.max=4"));
 
     assertThat(ClusterProperties.read(file))
         .containsEntry("spark.authenticate", "true")
@@ -52,7 +52,7 @@ class ClusterPropertiesTest {
   @Test
   void read_noFile_isEmpty() throws IOException {
     Path absent = folder.resolve("absent");
-    ClusterProperties.check(absent, List.of());
+    ClusterSecrets.check(absent, List.of());
     assertThat(ClusterProperties.read(absent)).isEmpty();
   }
 
@@ -61,7 +61,7 @@ class ClusterPropertiesTest {
   void check_secretInAFileOpenToOthers_isRefused() throws IOException {
     Path file = file("rw-r--r--");
 
-    assertThatThrownBy(() -> ClusterProperties.check(file, List.of()))
+    assertThatThrownBy(() -> ClusterSecrets.check(file, List.of()))
         .isInstanceOf(BadInputException.class)
         .hasMessage(
             file + " has a secret, and users other than its owner may read it; chmod 600 it");
@@ -72,7 +72,7 @@ class ClusterPropertiesTest {
     Path file = folder.resolve("spark-defaults.conf");
 
     assertThatThrownBy(
-            () -> ClusterProperties.check(file, List.of("-Dspark.authenticate.secret=S3CRET")))
+            () -> ClusterSecrets.check(file, List.of("-Dspark.authenticate.secret=S3CRET")))
         .isInstanceOf(BadInputException.class)
         .hasMessageStartingWith(
             "-Dspark.authenticate.secret in U2SA_JAVA_OPTS: every account of this host can read it; write it into "
