@@ -36,6 +36,9 @@ final class ConfigurationResponder {
   private static final String TOO_MANY =
       "too many changes at once; nothing was changed: try again in a second";
 
+  private static final String NOT_LASTING =
+      "not saved: the service has no configuration file, and forgets this when it is restarted";
+
   private final ServiceConfiguration service;
   private final XmlConfiguration configuration;
   private final ServiceConnection connection;
@@ -124,7 +127,7 @@ final class ConfigurationResponder {
             .variableName(variable)
             .accepted(outcome.accepted())
             .value(outcome.assignments().isEmpty() ? "" : outcome.assignments().get(0).value());
-    outcome.refusal().ifPresent(result::reason);
+    remark(outcome).ifPresent(result::reason);
     return result;
   }
 
@@ -182,8 +185,13 @@ final class ConfigurationResponder {
             .assignments(outcome.assignments())
             .revision(outcome.revision())
             .author(author);
-    outcome.refusal().ifPresent(result::reason);
+    remark(outcome).ifPresent(result::reason);
     return result;
+  }
+
+  private Optional<String> remark(ConfigurationOutcome outcome) {
+    boolean isLost = !outcome.changed().isEmpty() && !configuration.isLasting();
+    return isLost ? Optional.of(NOT_LASTING) : outcome.refusal();
   }
 
   /** Queues the change for writing, or refuses it unread above the rate limit. */

@@ -3,7 +3,6 @@ package org.u2sa.service;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 import org.u2sa.interfaces.communication.Channel;
-import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
@@ -112,7 +111,8 @@ final class ServiceReceiver implements Receiver {
     } else if (!service.orders.isNew(order)) {
       trouble("not stopped, because the order arrived twice: " + order);
     } else {
-      service.life.stopFor("ordered to stop on \"" + Channels.STOP + "\": " + order);
+      service.life.stopFor(
+          order.stopAll() ? "all services were ordered to stop" : "it was ordered to stop");
     }
   }
 

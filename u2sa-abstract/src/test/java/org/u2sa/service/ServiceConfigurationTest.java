@@ -247,4 +247,14 @@ class ServiceConfigurationTest {
     inTime.timestamp(kit.clock().micros() - Clock.micros(4.0));
     assertThat(transact(inTime).accepted()).isTrue();
   }
+
+  @Test
+  void transaction_serviceWithoutAFile_saysThatARestartForgetsIt() {
+    String notSaved =
+        "not saved: the service has no configuration file, and forgets this when it is restarted";
+
+    assertThat(transact(transaction("1", "LOW", "3")).reason()).isEqualTo(notSaved);
+    assertThat(transact(transaction("2", "LOW", "3")).reason()).isEmpty(); // no change
+    assertThat(undo("3").reason()).isEqualTo(notSaved);
+  }
 }

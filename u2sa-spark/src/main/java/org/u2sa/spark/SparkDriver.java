@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Properties;
 import java.util.stream.IntStream;
 import org.apache.spark.SparkConf;
 import org.apache.spark.TaskContext;
@@ -41,7 +42,7 @@ final class SparkDriver {
     System.setOut(System.err); // stdout is for answers only
     List<String> requests = Files.readAllLines(Path.of(arguments[0]));
     List<String> javaOptions = Files.readAllLines(Path.of(arguments[1]));
-    try (JavaSparkContext spark = new JavaSparkContext(new SparkConf())) {
+    try (JavaSparkContext spark = new JavaSparkContext(configuration())) {
       ExecutorsJoined.await(spark);
       run(spark, requests, spark.broadcast(new ExecutorWorkers(javaOptions)), answers);
       answers.println(ALL_DONE);
@@ -49,6 +50,18 @@ final class SparkDriver {
       e.printStackTrace();
       answers.println(TROUBLE + String.valueOf(e.getMessage()).lines().findFirst().orElse(""));
     }
+  }
+
+  /** Options of the command line, and the file's settings that they leave open. */
+  private static SparkConf configuration() throws IOException {
+    SparkConf configuration = new SparkConf();
+    Properties settings = ClusterProperties.read(ClusterProperties.file(System.getenv()));
+    for (String name : settings.stringPropertyNames()) {
+      if (name.startsWith("spark.")) {
+        configuration.setIfMissing(name, settings.getProperty(name).trim());
+      }
+    }
+    return configuration;
   }
 
   private static void run(

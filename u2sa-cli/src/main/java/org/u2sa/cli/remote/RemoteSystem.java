@@ -287,11 +287,19 @@ public final class RemoteSystem {
   }
 
   /**
-   * Warns on standard error that this account has no token for the broker, and lists the searched
-   * locations: without it the broker silently ignores commands. For ineffective commands.
+   * Warns on standard error that the user may lack the right, or that this account has no token for
+   * the broker, with the searched locations: the broker silently ignores commands of others. For
+   * ineffective commands.
    */
   public void explainRefusal() {
-    if (broker == null || !user.isEmpty() || !caFile.isEmpty()) {
+    if (!user.isEmpty()) {
+      tell(
+          String.format(
+              "the broker drops what no role of user \"%s\" may publish, without an answer; its own output tells (docs/security.md, Roles)",
+              user));
+      return;
+    }
+    if (broker == null || !caFile.isEmpty()) {
       return;
     }
     List<Path> looked = LocalToken.missing(broker.hostInAddress(), broker.port());
@@ -327,7 +335,7 @@ public final class RemoteSystem {
             broker.port(),
             id,
             new MessageCodec(MessageTypes.loadable(this::tell)),
-            BrokerAccess.of(user, passwordFile, !caFile.isEmpty(), caFile))
+            BrokerAccess.of(user, passwordFile, !caFile.isEmpty(), caFile).orAccount())
         .ofTool()
         .waiting(timeoutS); // the broker may be restarting
   }

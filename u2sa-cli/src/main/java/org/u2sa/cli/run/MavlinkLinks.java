@@ -35,7 +35,7 @@ public final class MavlinkLinks {
       names = "--mavlink",
       paramLabel = "LINK",
       description =
-          "Let MAVLink ground stations operate the vehicle: tcp:PORT, udp:HOST:PORT or serial:PATH, then options such as ,as=ardupilot (docs/mavlink.md). May be given several times.")
+          "Let MAVLink ground stations operate the vehicle: tcp:PORT, udp:HOST:PORT or serial:PATH, each with options, such as tcp:5760,as=ardupilot (docs/mavlink.md). May be given several times.")
   private void mavlink(List<String> links) {
     asked.clear();
     for (String link : links) {

@@ -56,7 +56,8 @@ public final class RunCommand extends BaseCommand {
       names = "--logs",
       paramLabel = "DIR",
       defaultValue = "out/logs",
-      description = "Folder for log files. Default: ${DEFAULT-VALUE}.")
+      description =
+          "Folder for log files and saved states, of one running system only. Default: ${DEFAULT-VALUE}.")
   private Path logs;
 
   @Option(
@@ -143,6 +144,7 @@ public final class RunCommand extends BaseCommand {
   private boolean besideManager;
 
   @Override
+  @SuppressWarnings("try") // the claim is only closed, never called
   public Integer call() throws InterruptedException {
     SystemFile whole = SystemFile.read(file);
     SystemFile system = whole;
@@ -181,7 +183,9 @@ public final class RunCommand extends BaseCommand {
       system = system.only(only);
       options.oneOfSeveral(supervised).restart(restart).besideManager(besideManager);
     }
-    return separate ? runSeparately(system.apart(), options) : run(system, options);
+    try (LogFolderClaim claim = LogFolderClaim.of(logs, system.systemId())) {
+      return separate ? runSeparately(system.apart(), options) : run(system, options);
+    }
   }
 
   private void serve(String option, String variable, Integer port) {

@@ -77,7 +77,7 @@ class ConfigCommandTest extends CommandFixture {
     assertThat(out.toString())
         .containsPattern("LOITER RADIUS: [0-9.]+ → 500.0 m\n")
         .containsPattern("ATTEMPTS: \\d+ → 7\n")
-        .containsPattern("PathPlanner is at revision \\d+\n");
+        .containsPattern("PathPlanner is at revision \\d+; not saved: the service has no config");
 
     assertThat(run("get", PLANNER, "LOITER RADIUS")).isEqualTo(ExitCode.DONE);
     assertThat(out.toString()).isEqualTo("500.0 m\n");

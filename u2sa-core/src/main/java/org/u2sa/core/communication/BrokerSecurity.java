@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.net.ssl.SSLException;
+import org.u2sa.core.communication.access.AccountLogin;
 import org.u2sa.core.communication.access.LocalAccount;
 import org.u2sa.core.communication.access.ProcessAccount;
 import org.u2sa.core.communication.access.Users;
@@ -40,21 +41,30 @@ final class BrokerSecurity {
               "Who on this host may command without SECURITY DIRECTORY: the account that started the broker (tools read its private token file), or everybody. Everybody may listen.")
           String localCommands) {}
 
+  private static final String LOOPBACK = "127.0.0.1";
+
   private final LocalAccount account; // null without users, or with the directory's users
   private final SecurityDirectory directory; // null without users and encryption
   private final SslContext tls; // null likewise
   private final ProcessAccount own; // null grants everyone full access
+  private final AccountLogin login; // of programs of this account; null without users
   private volatile Users users; // of the directory and the present broker
 
   BrokerSecurity(SecurityDirectory directory, SslContext tls) {
-    this(directory, tls, null);
+    this(directory, tls, null, directory == null ? null : ProcessAccount.unnamed(), null);
   }
 
-  private BrokerSecurity(SecurityDirectory directory, SslContext tls, LocalAccount account) {
+  private BrokerSecurity(
+      SecurityDirectory directory,
+      SslContext tls,
+      LocalAccount account,
+      ProcessAccount own,
+      AccountLogin login) {
     this.account = account;
     this.directory = directory;
     this.tls = tls;
-    own = directory != null ? ProcessAccount.unnamed() : account != null ? account.own() : null;
+    this.own = own;
+    this.login = login;
   }
 
   /**
@@ -66,7 +76,7 @@ final class BrokerSecurity {
    */
   static BrokerSecurity of(Variables settings, String bindAddress, int port, Consumer<String> log) {
     if (!settings.securityDirectory.isEmpty()) {
-      return secured(settings.securityDirectory);
+      return secured(settings.securityDirectory, bindAddress, port, log);
     }
     if (!isLoopback(bindAddress)) {
       if (!settings.allowInsecureNetwork) {
@@ -83,12 +93,14 @@ final class BrokerSecurity {
               + bindAddress
               + " can listen to and command this vehicle");
     } else if (settings.localCommands.equals("account")) {
-      return new BrokerSecurity(null, null, LocalAccount.at(bindAddress, port, log));
+      LocalAccount account = LocalAccount.at(bindAddress, port, log);
+      return new BrokerSecurity(null, null, account, account.own(), null);
     }
-    return new BrokerSecurity(null, null);
+    return new BrokerSecurity(null, null, null, null, null);
   }
 
-  private static BrokerSecurity secured(String path) {
+  private static BrokerSecurity secured(
+      String path, String bindAddress, int port, Consumer<String> log) {
     SecurityDirectory directory;
     try {
       directory = new SecurityDirectory(Paths.get(path));
@@ -102,13 +114,25 @@ final class BrokerSecurity {
               .sslProvider(SslProvider.JDK)
               .protocols("TLSv1.3", "TLSv1.2")
               .build();
-      return new BrokerSecurity(directory, tls);
+      ProcessAccount own = ProcessAccount.unnamed();
+      AccountLogin login =
+          new AccountLogin(own, directory.authority(), hereAt(bindAddress), port, log);
+      return new BrokerSecurity(directory, tls, null, own, login);
     } catch (SSLException | IllegalArgumentException e) {
       throw new BadInputException(
           String.format(
               "SECURITY DIRECTORY \"%s\": server.pem and server-key.pem cannot be used: %s",
               path, e.getMessage()),
           e);
+    }
+  }
+
+  /** The address by which programs of this host reach a broker. */
+  static String hereAt(String bindAddress) {
+    try {
+      return InetAddress.getByName(bindAddress).isAnyLocalAddress() ? LOOPBACK : bindAddress;
+    } catch (UnknownHostException e) {
+      return bindAddress; // listening will fail with an error
     }
   }
 
@@ -197,6 +221,9 @@ final class BrokerSecurity {
       if (account != null) {
         account.publish();
       }
+      if (login != null) {
+        login.publish();
+      }
       return broker;
     } catch (RuntimeException | Error e) {
       close();
@@ -208,6 +235,9 @@ final class BrokerSecurity {
   void close() {
     if (account != null) {
       account.close();
+    }
+    if (login != null) {
+      login.close();
     }
   }
 }

@@ -87,7 +87,7 @@ public final class CommunicationManager implements AutoCloseable {
     Supplier<BrokerAccess> access = () -> access(login, settings.securityDirectory());
     MessageCodec codec = new MessageCodec(types, manager.form());
     if (manager.broker().equals("external")) {
-      BrokerAccess as = access.get();
+      BrokerAccess as = access.get().orAccount();
       InetSocketAddress broker =
           InetSocketAddress.createUnresolved(manager.communicationManagerIp(), port);
       if (manager.communicationManagerIp().equals(BrokerSearch.AUTO)) {

@@ -68,7 +68,9 @@ class SecuredLoginTest extends SecuredClients {
     assertThatThrownBy(() -> connect("pilot"))
         .isInstanceOf(CommunicationException.class)
         .hasMessageContaining("ssl://localhost:" + broker.port)
-        .hasMessageContaining("Bad user name or password");
+        .hasMessageContaining("Bad user name or password")
+        .hasMessageContaining("user \"pilot\" is unknown there, or the password is wrong")
+        .hasMessageNotContaining("is it running");
 
     awaitLog("log-in refused, wrong password", "\"pilot\"", "127.0.0.1");
   }
@@ -94,15 +96,15 @@ class SecuredLoginTest extends SecuredClients {
   void connect_withoutUser_isRefused() {
     BrokerAccess nobody = BrokerAccess.of("", "", true, directory.authority().toString());
     assertThatThrownBy(() -> transport(nobody, "cessna").connect("Remote", inbox))
-        .isInstanceOf(CommunicationException.class);
+        .isInstanceOf(CommunicationException.class)
+        .hasMessageContaining("it admits users only: --user, --password-file and --ca");
     awaitLog("log-in refused, it gives no user name");
   }
 
   @Test
   void connect_withoutEncryption_isRefused() {
-    MqttTransport plain = transport(BrokerAccess.open(), "cessna").waiting(0.0);
-    assertThatThrownBy(() -> plain.connect("Remote", inbox))
-        .isInstanceOf(CommunicationException.class);
+    MqttTransport plain = transport(BrokerAccess.open(), "cessna").as("", new char[0]).waiting(0.0);
+    awaitDistrust(plain, "it is encrypted and admits users only: --user, --password-file and --ca");
   }
 
   @Test
@@ -116,6 +118,7 @@ class SecuredLoginTest extends SecuredClients {
             true,
             other.authority().toString());
     awaitDistrust(transport(access, "cessna").waiting(0.0), "PKIX");
+    awaitDistrust(transport(access, "cessna").waiting(0.0), "is not from the authority of --ca");
   }
 
   @Test
@@ -129,6 +132,7 @@ class SecuredLoginTest extends SecuredClients {
             accessOf("pilot"));
     broker.replace(Map.of("SECURITY DIRECTORY", folder.toString(), "BIND ADDRESS", "0.0.0.0"));
     awaitDistrust(otherName, "No subject alternative names matching IP address 127.0.0.2");
+    awaitDistrust(otherName, "make one that has it: ./u2sa security certificate 127.0.0.2");
   }
 
   /** An attempt may also end because it took too long. */

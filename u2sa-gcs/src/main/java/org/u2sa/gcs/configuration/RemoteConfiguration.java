@@ -186,14 +186,15 @@ public final class RemoteConfiguration {
             service, link.systemId(), link.timeoutS(), later));
   }
 
-  /** Text of a change: one line per variable, and the revision. */
+  /** Text of a change: one line per variable, and the revision with the service's remark. */
   public static List<String> told(
       ConfigurationTransactionResult result, ConfigurationResponse before) {
     List<String> lines =
         result.assignments().stream()
             .map(assignment -> told(assignment, variable(before, assignment.variableName())))
             .collect(Collectors.toList());
-    lines.add(result.serviceName() + " is at revision " + result.revision());
+    String remark = result.reason().isEmpty() ? "" : "; " + result.reason();
+    lines.add(result.serviceName() + " is at revision " + result.revision() + remark);
     return lines;
   }
 

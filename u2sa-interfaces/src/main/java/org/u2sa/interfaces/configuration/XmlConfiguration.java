@@ -125,6 +125,11 @@ public final class XmlConfiguration implements Configurator {
     return copy;
   }
 
+  /** Whether changes survive a restart: without a file or a copy they are in memory only. */
+  public boolean isLasting() {
+    return file.isPresent() || copy.isPresent();
+  }
+
   /** Copy for a successor service of another class, which need not declare the same variables. */
   public XmlConfiguration forSuccessor() {
     return new XmlConfiguration(this);

@@ -116,6 +116,34 @@ public final class BrokerAccess {
     return new BrokerAccess(other, secret.clone(), tls, false);
   }
 
+  /**
+   * This access; without a user, the log-in of this account is used at a secured broker of this
+   * host.
+   */
+  public BrokerAccess orAccount() {
+    return user.isEmpty() ? new BrokerAccess(user, password, tls, true) : this;
+  }
+
+  /**
+   * This access with the log-in of this account at a secured broker of this host, if it has one.
+   */
+  BrokerAccess at(String host, int port) {
+    return usesToken ? at(AccountFolders.ofProcess(), host, port) : this;
+  }
+
+  BrokerAccess at(AccountFolders folders, String host, int port) {
+    Optional<LocalToken.Login> login = LocalToken.login(folders, host, port);
+    if (!login.isPresent()) {
+      return this;
+    }
+    try {
+      SSLContext trusting = tls == null ? context(login.get().caFile()) : tls;
+      return new BrokerAccess(login.get().user(), login.get().password(), trusting, false);
+    } catch (BadInputException e) { // the authority's file is gone or damaged
+      return this; // as another account, which is told what it needs
+    }
+  }
+
   private static char[] firstLine(String file) {
     Path path = path("PASSWORD FILE", file);
     SecretFiles.requireClosed("PASSWORD FILE", path);
@@ -198,7 +226,7 @@ public final class BrokerAccess {
 
   /** Whether the account's token identifies the user at a broker of this host. */
   boolean usesToken() {
-    return usesToken;
+    return usesToken && tls == null;
   }
 
   char[] password() {

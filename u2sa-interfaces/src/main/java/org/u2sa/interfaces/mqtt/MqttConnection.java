@@ -1,5 +1,6 @@
 package org.u2sa.interfaces.mqtt;
 
+import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
@@ -14,6 +15,7 @@ import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.communication.Topic;
+import org.u2sa.interfaces.mqtt.failure.ConnectFailure;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.ConnectionLost;
 import org.u2sa.messages.contract.ServiceStatus;
@@ -82,11 +84,13 @@ final class MqttConnection implements Connection, MqttSession.Owner {
     } catch (MqttException | IllegalArgumentException e) {
       close();
       throw new CommunicationException(
-          String.format(
-              "no Communication Manager at %s: %s; is it running, and is the address right?",
-              address, MqttSession.reason(e)),
-          e);
+          explained(e, options.get().getUserName(), clock.micros() / Clock.MICROS_PER_SECOND), e);
     }
+  }
+
+  private String explained(Exception failure, String user, long nowS) {
+    return new ConnectFailure(address, user == null ? "" : user, Instant.ofEpochSecond(nowS))
+        .text(failure, MqttSession.reason(failure));
   }
 
   private MqttConnectOptions withWill(MqttConnectOptions options) {

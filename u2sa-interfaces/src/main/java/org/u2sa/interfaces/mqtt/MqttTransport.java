@@ -97,7 +97,7 @@ public record MqttTransport(
   public Connection connect(String serviceName, Receiver receiver) {
     MqttConnection connection =
         new MqttConnection(
-            access.scheme() + "://" + host + ":" + port,
+            access.at(host, port).scheme() + "://" + host + ":" + port,
             systemId,
             serviceName,
             codec,
@@ -115,11 +115,12 @@ public record MqttTransport(
     options.setMqttVersion(MqttConnectOptions.MQTT_VERSION_3_1_1);
     options.setKeepAliveInterval(KEEP_ALIVE_S);
     options.setConnectionTimeout(CONNECT_WITHIN_S);
-    options.setSocketFactory(access.sockets());
-    if (access.user().isPresent()) {
-      options.setUserName(access.user().get());
-      options.setPassword(access.password());
-    } else if (access.usesToken()) {
+    BrokerAccess now = access.at(host, port); // a broker that was started again has another
+    options.setSocketFactory(now.sockets());
+    if (now.user().isPresent()) {
+      options.setUserName(now.user().get());
+      options.setPassword(now.password());
+    } else if (now.usesToken()) {
       LocalToken.read(host, port)
           .ifPresent(
               token -> {

@@ -80,6 +80,7 @@ final class XmlParser {
 
   static XmlElement parse(String origin, String text) {
     int offset = !text.isEmpty() && text.charAt(0) == BYTE_ORDER_MARK ? 1 : 0;
+    refuseOther(origin, text.substring(offset).stripLeading());
     try {
       XMLStreamReader reader =
           FACTORY.createXMLStreamReader(new StringReader(text.substring(offset)));
@@ -92,6 +93,13 @@ final class XmlParser {
       }
     } catch (XMLStreamException e) {
       throw notWellFormed(origin, e, e.getLocation()); // at the start of the file
+    }
+  }
+
+  /** Refuses a file of another kind without quoting it: who named it may not be its reader. */
+  private static void refuseOther(String origin, String text) {
+    if (!text.isEmpty() && text.charAt(0) != '<') {
+      throw new BadInputException(origin + ": not well-formed XML: expected < at its beginning");
     }
   }
 

@@ -152,4 +152,33 @@ class LocalTokenTest {
     write("x".repeat(256));
     assertThat(read("127.0.0.1")).hasSize(256);
   }
+
+  @Test
+  void login_ofASecuredBroker_isUserPasswordAndAuthorityUnlessATokenIsNewer() throws IOException {
+    Path login = file.resolveSibling(LocalToken.loginFileName("127.0.0.1", PORT));
+    write(login, LocalToken.loginText("ann", "secret", folder.resolve("ca.pem")));
+
+    LocalToken.Login read = LocalToken.login(bare, "localhost", PORT).orElseThrow();
+    assertThat(read.user()).isEqualTo("ann");
+    assertThat(read.password()).isEqualTo("secret".toCharArray());
+    assertThat(read.caFile()).isEqualTo(folder.resolve("ca.pem").toString());
+    assertThat(LocalToken.login(bare, "boat.lan", PORT)).isEmpty();
+    assertThat(read("localhost")).isEqualTo("none");
+
+    write("secret");
+    Files.setLastModifiedTime(file, FileTime.fromMillis(2_000));
+    Files.setLastModifiedTime(login, FileTime.fromMillis(1_000));
+    assertThat(LocalToken.login(bare, "localhost", PORT)).isEmpty();
+  }
+
+  @Test
+  void login_openToOthersOrOfOtherForm_isNone() throws IOException {
+    Path login = file.resolveSibling(LocalToken.loginFileName("127.0.0.1", PORT));
+    write(login, "ann\nsecret\n");
+    assertThat(LocalToken.login(bare, "localhost", PORT)).isEmpty();
+
+    write(login, LocalToken.loginText("ann", "secret", folder));
+    Files.setPosixFilePermissions(login, PosixFilePermissions.fromString("rw-r-----"));
+    assertThat(LocalToken.login(bare, "localhost", PORT)).isEmpty();
+  }
 }

@@ -103,6 +103,12 @@ class XmlReaderTest {
   }
 
   @Test
+  void read_fileOfAnotherKind_isRefusedUnquoted() {
+    assertRefused("root:x:0:0", "m.xml: not well-formed XML: expected < at its beginning");
+    assertThat(read("\n <mission/>").name()).isEqualTo("mission");
+  }
+
+  @Test
   void read_secondRoot_isRefused() {
     assertThatThrownBy(() -> read("<mission/>\n<mission/>"))
         .isInstanceOf(BadInputException.class)

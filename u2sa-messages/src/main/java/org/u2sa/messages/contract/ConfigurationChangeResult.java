@@ -52,7 +52,7 @@ public final class ConfigurationChangeResult extends ServiceMessage<Configuratio
     return put(VALUE, value);
   }
 
-  /** Why it was rejected; empty if accepted. */
+  /** Why it was rejected, or that it is not saved; otherwise empty. */
   public String reason() {
     return require(REASON);
   }

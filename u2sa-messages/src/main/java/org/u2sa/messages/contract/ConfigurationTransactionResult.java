@@ -44,7 +44,7 @@ public final class ConfigurationTransactionResult
     return put(ACCEPTED, value);
   }
 
-  /** Why it was rejected; empty if accepted. */
+  /** Why it was rejected, or that it is not saved; otherwise empty. */
   public String reason() {
     return require(REASON);
   }

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -34,7 +35,7 @@ public final class RecordedMessages implements AutoCloseable {
   private final MessageCodec codec = new MessageCodec(MessageTypes.discovered());
   private int foreign; // channels
   private String firstForeign = "";
-  private long undecodable;
+  private final Map<Integer, Long> undecodable = new HashMap<>(); // most in one pass, by channel
   private String firstUndecodable = "";
 
   /** Receives messages in sequence. */
@@ -137,10 +138,16 @@ public final class RecordedMessages implements AutoCloseable {
    * message, e.g. from an attacker, must not make a recording unusable.
    */
   public Optional<U2SAData> decode(Topic topic, McapMessage recorded) {
+    return decode(topic, recorded, undecodable);
+  }
+
+  private Optional<U2SAData> decode(
+      Topic topic, McapMessage recorded, Map<Integer, Long> failures) {
     try {
       return Optional.of(codec.decode(topic.typeChain(), recorded.data()));
     } catch (MalformedMessageException e) {
-      if (undecodable++ == 0) {
+      failures.merge(recorded.channelId(), 1L, Long::sum);
+      if (firstUndecodable.isEmpty()) {
         firstUndecodable = topic + ": " + e.getMessage();
       }
       return Optional.empty();
@@ -153,31 +160,37 @@ public final class RecordedMessages implements AutoCloseable {
     if (foreign > 0) {
       what.add("channels left out for their topics: " + foreign + ", the first: " + firstForeign);
     }
-    if (undecodable > 0) {
+    if (!undecodable.isEmpty()) {
       what.add(
-          "messages that cannot be decoded: " + undecodable + ", the first on " + firstUndecodable);
+          "messages that cannot be decoded: "
+              + undecodable.values().stream().mapToLong(Long::longValue).sum()
+              + ", the first on "
+              + firstUndecodable);
     }
     return what.isEmpty() ? Optional.empty() : Optional.of(String.join("; ", what));
   }
 
   /**
-   * Passes all decodable messages of the selected channels to the receiver, in log-time order.
+   * Passes all decodable messages of the selected channels to the receiver, in log-time order. May
+   * be called several times; {@link #undecodable} counts each message once.
    *
    * @param wanted channels, see {@link #channels}
    * @param span part to read
    */
   public void forEach(Predicate<McapChannel> wanted, RecordedSpan span, Taker taker)
       throws IOException {
+    Map<Integer, Long> failures = new HashMap<>();
     McapCursor cursor = reader.messages(span.fromNanos(), wanted);
     for (Optional<McapMessage> m = cursor.next();
         m.isPresent() && m.get().logTimeNanos() <= span.toNanos();
         m = cursor.next()) {
       Topic topic = topics.get(m.get().channelId());
-      Optional<U2SAData> message = decode(topic, m.get());
+      Optional<U2SAData> message = decode(topic, m.get(), failures);
       if (message.isPresent()) {
         taker.take(topic, message.get(), m.get().logTimeNanos());
       }
     }
+    failures.forEach((channel, count) -> undecodable.merge(channel, count, Math::max));
   }
 
   @Override

@@ -46,4 +46,29 @@ class RecordedMessagesTest {
     }
     assertThat(channels).containsExactly("state");
   }
+
+  @Test
+  void undecodable_recordingReadTwice_countsEachMessageOnce() throws IOException {
+    Path file = folder.resolve("damaged.mcap");
+    try (McapWriter writer =
+        new McapWriter(
+            FileChannel.open(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE),
+            McapOptions.usual(ChunkCompression.LZ4, "test"))) {
+      writer.add(new McapChannel(1, 0, "u2sa/a/state/StateInformation", "cbor", Map.of()));
+      writer.add(new McapChannel(2, 0, "u2sa/a/goals/GoalList", "cbor", Map.of()));
+      writer.add(new McapMessage(1, 0, 0, 0, new byte[] {1}));
+      writer.add(new McapMessage(2, 0, 1, 1, new byte[] {1}));
+      writer.add(new McapMessage(2, 1, 2, 2, new byte[] {1}));
+    }
+    try (RecordedMessages recording = RecordedMessages.open(file)) {
+      for (List<String> channels : List.of(List.of("state"), List.of("goals"), List.<String>of())) {
+        recording.forEach(
+            recording.channels(channels),
+            RecordedSpan.all(recording.reader()),
+            (topic, message, nanos) -> {});
+      }
+      assertThat(recording.undecodable().orElseThrow())
+          .startsWith("messages that cannot be decoded: 3, the first on u2sa/a/state/");
+    }
+  }
 }

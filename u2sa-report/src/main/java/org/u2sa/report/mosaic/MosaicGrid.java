@@ -23,7 +23,7 @@ public record MosaicGrid(
   private static final double MIN_PIXEL_M = 0.005;
   private static final double MAX_PIXEL_M = 100.0;
   private static final long MAX_PIXELS = 40_000_000L; // 8 bytes of memory each
-  private static final double MAX_SPAN_M = 20_000.0; // UTM is distorted far from its zone
+  static final double MAX_SPAN_M = 20_000.0; // UTM is distorted far from its zone
 
   /**
    * Creates a grid that covers positions.

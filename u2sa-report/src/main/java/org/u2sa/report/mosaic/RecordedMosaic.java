@@ -2,6 +2,7 @@ package org.u2sa.report.mosaic;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
@@ -22,6 +23,7 @@ import org.u2sa.recorder.playback.RecordedSpan;
 /** Makes the mosaic of a recording: its search areas or, if it has none, everything seen. */
 public final class RecordedMosaic {
   private static final double MARGIN_M = 10.0;
+  private static final int MAX_TRIED = 30;
 
   private final Set<Geodetic> areas = new LinkedHashSet<>(); // corners
   private final Set<Geodetic> footprints = new LinkedHashSet<>();
@@ -50,7 +52,7 @@ public final class RecordedMosaic {
     SurveyMosaic mosaic =
         new SurveyMosaic(
             MosaicGrid.around(
-                ground.areas.isEmpty() ? ground.footprints : ground.areas, pixelM, MARGIN_M));
+                ground.areas.isEmpty() ? near(ground.footprints) : ground.areas, pixelM, MARGIN_M));
     recording.forEach(
         on(recording, Channels.IMAGES.name(), Channels.SENSED_OBJECTS.name()),
         span,
@@ -61,6 +63,29 @@ public final class RecordedMosaic {
               + ": contains no image with a footprint; expected those of a SurveyCamera with IMAGE EVERY above 0");
     }
     return mosaic;
+  }
+
+  /**
+   * Positions that one mosaic can show: if some are too far away, such as after a wrong fix, only
+   * those around the one that has most others near it.
+   */
+  static Collection<Geodetic> near(Collection<Geodetic> places) {
+    List<Geodetic> all = List.copyOf(places);
+    if (around(all.get(0), all, MosaicGrid.MAX_SPAN_M).size() == all.size()) {
+      return all;
+    }
+    double nearM = 0.5 * MosaicGrid.MAX_SPAN_M - 2.0 * MARGIN_M; // fits in every direction
+    List<Geodetic> most = List.of();
+    int step = 1 + all.size() / MAX_TRIED;
+    for (int i = 0; i < all.size(); i += step) {
+      List<Geodetic> near = around(all.get(i), all, nearM);
+      most = near.size() > most.size() ? near : most;
+    }
+    return most;
+  }
+
+  private static List<Geodetic> around(Geodetic middle, List<Geodetic> places, double withinM) {
+    return places.stream().filter(place -> middle.distanceM(place) <= withinM).toList();
   }
 
   private static Predicate<McapChannel> on(RecordedMessages recording, String... channels) {

@@ -74,7 +74,9 @@ final class CheckCommand implements Callable<Integer> {
         kinds.entrySet().stream()
             .map(kind -> kind.getValue() + " " + kind.getKey())
             .collect(Collectors.joining(", "));
-    return objects.size() + " objects" + (each.isEmpty() ? "" : ": " + each);
+    return objects.size()
+        + (objects.size() == 1 ? " object" : " objects")
+        + (each.isEmpty() ? "" : ": " + each);
   }
 
   private static String extent(ReferenceFrame frame, List<ObjectDescription> objects) {

@@ -151,7 +151,7 @@ function instruments(vehicle, route) {
   add('Climb', s.zDot, 1, 'm/s', vehicle.stateAt);
   add('Roll', s.phi === undefined ? undefined : s.phi * DEG, 0, '°', vehicle.stateAt);
   add('Pitch', s.theta === undefined ? undefined : s.theta * DEG, 0, '°', vehicle.stateAt);
-  add('Position error, 2σ', s.xSigma === undefined || s.ySigma === undefined ? undefined : 2 * Math.hypot(s.xSigma, s.ySigma), 2, 'm', vehicle.stateAt);
+  add('Position uncertainty, 2σ', s.xSigma === undefined || s.ySigma === undefined ? undefined : 2 * Math.hypot(s.xSigma, s.ySigma), 2, 'm', vehicle.stateAt);
   const goal = route.find(item => item.isCurrent && item.at);
   if (goal && pose) add('To goal ' + goal.uid, Math.hypot(goal.at.x - pose.x, goal.at.y - pose.y), 1, 'm', vehicle.stateAt);
   for (const [name, power] of vehicle.power) {
