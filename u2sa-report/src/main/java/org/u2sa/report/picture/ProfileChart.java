@@ -14,6 +14,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TimeZone;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.LegendItem;
 import org.jfree.chart.LegendItemCollection;
@@ -29,7 +30,6 @@ import org.jfree.chart.ui.RectangleAnchor;
 import org.jfree.chart.ui.RectangleInsets;
 import org.jfree.chart.ui.TextAnchor;
 import org.jfree.chart.util.RelativeDateFormat;
-import org.jfree.data.xy.XYDataItem;
 import org.jfree.data.xy.XYSeries;
 import org.jfree.data.xy.XYSeriesCollection;
 import org.u2sa.report.score.RunPlan;
@@ -94,7 +94,9 @@ final class ProfileChart {
         List.of(),
         met(score.waypoints(), track, quantity, false));
     moments(plot, score.waypoints());
-    boolean isPlanned = planned.getItems().stream().anyMatch(ProfileChart::isNumber);
+    boolean isPlanned =
+        IntStream.range(0, planned.getItemCount())
+            .anyMatch(i -> !Double.isNaN(planned.getY(i).doubleValue()));
     plot.setFixedLegendItems(legend(quantity, isPlanned));
     JFreeChart chart = ChartStyle.chart(plot, true);
     chart.getLegend().setItemFont(ChartStyle.TICK);
@@ -182,10 +184,6 @@ final class ProfileChart {
         plot.addDomainMarker(moment, Layer.BACKGROUND);
       }
     }
-  }
-
-  private static boolean isNumber(Object item) {
-    return !Double.isNaN(((XYDataItem) item).getYValue());
   }
 
   private static LegendItemCollection legend(Quantity quantity, boolean isPlanned) {
