@@ -17,7 +17,7 @@ import org.u2sa.report.score.TrackSample;
  */
 record MapExtent(Rectangle2D box, double metresPerPixel) {
   private static final double MARGIN = 1.10; // factor on the extent
-  private static final double MOST_AROUND = 2.0; // factor on the scale for what lies around
+  private static final double MAX_AROUND = 2.0; // factor on the scale for what lies around
 
   /**
    * @param outlines longitudes and latitudes of areas and objects [deg]
@@ -31,7 +31,7 @@ record MapExtent(Rectangle2D box, double metresPerPixel) {
       Rectangle2D size) {
     double leastM = plan.domain().leastMapM();
     Rectangle2D extent = ofRun(plan, track, plane);
-    double most = MOST_AROUND * metresPerPixel(extent, leastM, size);
+    double most = MAX_AROUND * metresPerPixel(extent, leastM, size);
     List<List<Point2D>> shapes = new ArrayList<>(outlines);
     shapes.add(corners(plan.fence()));
     plan.keepOuts().forEach(area -> shapes.add(corners(area)));
