@@ -18,6 +18,8 @@ import picocli.CommandLine.Mixin;
 
 /** Asks the Safety Manager to arm or disarm, and prints its answer. */
 public abstract class ArmingCommand extends BaseCommand {
+  private static final int REPETITIONS = 30; // of an order to disarm, one a second
+
   private final boolean arm;
   @Mixin private RemoteSystem remote;
 
@@ -46,7 +48,9 @@ public abstract class ArmingCommand extends BaseCommand {
       description = {
         "Disarm a vehicle, even in mid-air.",
         "",
-        "Actuators whose variable REQUIRES ARMING is true go neutral; failsafes no longer act."
+        "Actuators whose variable REQUIRES ARMING is true go neutral; failsafes no longer act. "
+            + "Without an answer the order is repeated for 30 s, because a Safety Manager that "
+            + "restarts meanwhile has not heard it. 'u2sa estop' needs no Safety Manager."
       })
   public static final class Disarm extends ArmingCommand {
     public Disarm() {
@@ -60,7 +64,7 @@ public abstract class ArmingCommand extends BaseCommand {
     try (RemoteLink link = arm ? remote.connectForOrders() : remote.connect()) {
       Optional<ArmingState> answer = answer(link);
       if (answer.isEmpty()) {
-        print(link.systemId() + ": no Safety Manager answered within " + link.timeoutS() + " s");
+        print(link.systemId() + ": no Safety Manager answered" + (arm ? within(link) : ""));
         print("  " + (arm ? Unanswered.EXPIRING : Unanswered.LASTING));
         remote.otherSystems(link).ifPresent(out()::println);
         return ExitCode.FAILED;
@@ -84,9 +88,24 @@ public abstract class ArmingCommand extends BaseCommand {
             answer.set(state);
           }
         });
+    order(link, id);
+    link.await(() -> answer.get() != null, link.timeoutS());
+    if (answer.get() == null && !arm) {
+      print(link.systemId() + ": no Safety Manager answered" + within(link) + ": repeating");
+    }
+    for (int i = 0; !arm && answer.get() == null && i < REPETITIONS; i++) {
+      order(link, id); // a Safety Manager that has restarted never heard the first one
+      link.await(() -> answer.get() != null, 1.0);
+    }
+    return Optional.ofNullable(answer.get());
+  }
+
+  private void order(RemoteLink link, String id) {
     link.publish(
         Channels.ARMING, new ArmCommand().requestId(id).arm(arm).operator(Operator.name()));
-    link.await(() -> answer.get() != null, link.timeoutS());
-    return Optional.ofNullable(answer.get());
+  }
+
+  private static String within(RemoteLink link) {
+    return " within " + link.timeoutS() + " s";
   }
 }

@@ -80,7 +80,7 @@ final class XmlParser {
 
   static XmlElement parse(String origin, String text) {
     int offset = !text.isEmpty() && text.charAt(0) == BYTE_ORDER_MARK ? 1 : 0;
-    refuseOther(origin, text.substring(offset).stripLeading());
+    refuseOther(origin, text.substring(offset));
     try {
       XMLStreamReader reader =
           FACTORY.createXMLStreamReader(new StringReader(text.substring(offset)));
@@ -98,8 +98,12 @@ final class XmlParser {
 
   /** Refuses a file of another kind without quoting it: who named it may not be its reader. */
   private static void refuseOther(String origin, String text) {
-    if (!text.isEmpty() && text.charAt(0) != '<') {
-      throw new BadInputException(origin + ": not well-formed XML: expected < at its beginning");
+    String content = text.stripLeading();
+    if (!content.isEmpty() && content.charAt(0) != '<') {
+      String before = text.substring(0, text.length() - content.length());
+      long line = 1 + before.chars().filter(c -> c == '\n').count();
+      throw new BadInputException(
+          origin + ", line " + line + ": not well-formed XML: expected < at its beginning");
     }
   }
 

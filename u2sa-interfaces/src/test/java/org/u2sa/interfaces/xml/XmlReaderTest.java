@@ -104,7 +104,8 @@ class XmlReaderTest {
 
   @Test
   void read_fileOfAnotherKind_isRefusedUnquoted() {
-    assertRefused("root:x:0:0", "m.xml: not well-formed XML: expected < at its beginning");
+    assertRefused(
+        "\n root:x:0:0", "m.xml, line 2: not well-formed XML: expected < at its beginning");
     assertThat(read("\n <mission/>").name()).isEqualTo("mission");
   }
 
