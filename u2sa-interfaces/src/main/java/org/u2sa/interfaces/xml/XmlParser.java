@@ -98,10 +98,12 @@ final class XmlParser {
 
   /** Refuses a file of another kind without quoting it: who named it may not be its reader. */
   private static void refuseOther(String origin, String text) {
-    String content = text.stripLeading();
-    if (!content.isEmpty() && content.charAt(0) != '<') {
-      String before = text.substring(0, text.length() - content.length());
-      long line = 1 + before.chars().filter(c -> c == '\n').count();
+    int at = 0;
+    while (at < text.length() && Character.isWhitespace(text.charAt(at))) {
+      at++;
+    }
+    if (at < text.length() && text.charAt(at) != '<') {
+      long line = 1 + text.substring(0, at).chars().filter(c -> c == '\n').count();
       throw new BadInputException(
           origin + ", line " + line + ": not well-formed XML: expected < at its beginning");
     }
