@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.stream.Stream;
 import org.u2sa.interfaces.BadInputException;
 
 /**
@@ -22,9 +23,11 @@ final class LogFolderClaim implements AutoCloseable {
   private static final long LOCKED_BYTE = 1 << 20; // beyond the text, which stays readable
 
   private final FileChannel channel; // null if the folder cannot be locked
+  private final Path unused; // a folder that did not exist before; null otherwise
 
-  private LogFolderClaim(FileChannel channel) {
+  private LogFolderClaim(FileChannel channel, Path unused) {
     this.channel = channel;
+    this.unused = unused;
   }
 
   /**
@@ -36,6 +39,7 @@ final class LogFolderClaim implements AutoCloseable {
   @SuppressWarnings("resource") // kept open until close
   static LogFolderClaim of(Path folder, String systemId) {
     FileChannel channel = null;
+    Path unused = Files.exists(folder) ? null : folder;
     try {
       Files.createDirectories(folder);
       channel =
@@ -46,7 +50,7 @@ final class LogFolderClaim implements AutoCloseable {
               StandardOpenOption.WRITE);
       String owner = owner(channel, systemId);
       if (owner.equals(systemId)) {
-        return new LogFolderClaim(channel);
+        return new LogFolderClaim(channel, unused);
       }
       channel.close();
       throw new BadInputException(
@@ -54,7 +58,7 @@ final class LogFolderClaim implements AutoCloseable {
               "--logs %s: system %s, which is running, writes its logs and saved states there; choose another folder for system %s",
               folder, owner, systemId));
     } catch (IOException e) {
-      return new LogFolderClaim(channel);
+      return new LogFolderClaim(channel, unused);
     }
   }
 
@@ -79,14 +83,25 @@ final class LogFolderClaim implements AutoCloseable {
     return new String(text.array(), 0, text.position(), StandardCharsets.UTF_8);
   }
 
+  /** Releases the folder, and deletes it if nothing else was ever written to it. */
   @Override
   public void close() {
     try {
       if (channel != null) {
         channel.close();
       }
+      if (unused != null && isUnused()) {
+        Files.deleteIfExists(unused.resolve(FILE));
+        Files.deleteIfExists(unused);
+      }
     } catch (IOException e) {
       return; // the process ends anyway
+    }
+  }
+
+  private boolean isUnused() throws IOException {
+    try (Stream<Path> files = Files.list(unused)) {
+      return files.allMatch(file -> file.endsWith(FILE));
     }
   }
 }
