@@ -13,6 +13,8 @@ import org.u2sa.planning.guidance.Vehicle;
  * planner.
  */
 final class Detour {
+  private static final double SMALL_RAD = Math.toRadians(20.0);
+
   private final Avoidance avoidance;
   private boolean isTaken;
 
@@ -44,6 +46,24 @@ final class Detour {
   boolean isOccupied(Vehicle vehicle, StateInformation state, Place to) {
     return avoidance.isOn()
         && (avoidance.comesTraffic(vehicle, state, to) || avoidance.isOccupied(vehicle, state, to));
+  }
+
+  /** Whether such a vehicle would run into something, or something moves on its way. */
+  boolean wouldTouch(Vehicle vehicle, StateInformation state, Place to) {
+    return avoidance.isOn()
+        && !avoidance.guards(state)
+        && (avoidance.comesTraffic(vehicle, state, to) || avoidance.wouldTouch(vehicle, state, to));
+  }
+
+  /**
+   * Whether a vehicle on a surface can turn where it is; small turns always count as possible,
+   * because it may be berthed.
+   */
+  boolean hasRoomToTurn(Vehicle vehicle, StateInformation state, double turnRad) {
+    return !avoidance.isOn()
+        || avoidance.guards(state)
+        || Math.abs(turnRad) < SMALL_RAD
+        || avoidance.hasRoomToTurn(vehicle, state, turnRad);
   }
 
   /** Whether something blocks the straight way to a position. */

@@ -52,6 +52,7 @@ final class StationState implements PlannerState {
   private final StationPatience patience = new StationPatience();
   private final Detour detour;
   private boolean isRouted; // follows the route planner
+  private boolean isWaiting; // before something
 
   /**
    * Creates the state.
@@ -93,6 +94,7 @@ final class StationState implements PlannerState {
     here = Vehicle.of(pursuit.state()).map(Vehicle::place);
     circle.leave();
     isRouted = false;
+    isWaiting = false;
     heading.begin(lacksSway.getAsBoolean());
     patience.begin(0.0);
   }
@@ -176,17 +178,39 @@ final class StationState implements PlannerState {
           : step;
     }
     NavigationPoint point;
-    if (phase == Phase.BERTHING) {
+    boolean stays =
+        isOnStraightWay
+            ? detour.wouldTouch(vehicle, pursuit.state(), place)
+            : mustStay(vehicle, pursuit.state(), wanted);
+    if (stays) {
+      point = towards(Point.ORIGIN, Optional.empty(), station, vehicle).speed(0.0);
+    } else if (phase == Phase.BERTHING) {
       point = way.point(leg, to.z(), turn(station, vehicle), station, vehicle, settings.get());
     } else {
       Point target = phase == Phase.TRANSIT ? start : to;
-      boolean stays = !isOnStraightWay && mustStay(vehicle, pursuit.state(), wanted);
-      point =
-          stays
-              ? towards(Point.ORIGIN, Optional.empty(), station, vehicle).speed(0.0)
-              : towards(target, isBerth ? Optional.empty() : Optional.of(place), station, vehicle);
+      point = towards(target, isBerth ? Optional.empty() : Optional.of(place), station, vehicle);
+      if (isOnStraightWay && station.backwards()) {
+        point.backwards(point.point().x() < 0.0); // there is no room to turn round
+      }
     }
-    return progress(station, vehicle, to, List.of(point));
+    boolean hasRoom =
+        point.turn().isEmpty()
+            || detour.hasRoomToTurn(vehicle, pursuit.state(), point.turn().getAsDouble());
+    if (!hasRoom) {
+      point = NavigationPoint.at(Point.ORIGIN).speed(0.0);
+    }
+    String remark = waiting(stays || !hasRoom);
+    Plan plan = progress(station, vehicle, to, List.of(point));
+    return plan.progress() == Plan.Progress.UNDER_WAY
+        ? new Plan(plan.points(), Plan.Progress.UNDER_WAY, remark)
+        : plan;
+  }
+
+  /** Remark on a vehicle that begins to wait; otherwise empty. */
+  private String waiting(boolean waits) {
+    boolean begins = waits && !isWaiting;
+    isWaiting = waits;
+    return begins ? "waits: something is where it would move or turn" : "";
   }
 
   /**

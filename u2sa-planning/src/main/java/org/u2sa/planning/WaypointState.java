@@ -267,6 +267,12 @@ final class WaypointState implements PlannerState {
       return new Plan(List.of(point), Plan.Progress.COMPLETED, remark + passing(waypoint, downM));
     }
     if (avoidance.turnsOnTheSpot()) {
+      StateInformation state = last.orElseThrow();
+      if (!avoidance.guards(state)
+          && !avoidance.hasRoomToTurn(vehicle, state, Leg.wrapped(psi - vehicle.headingRad()))) {
+        return new Plan(
+            List.of(), Plan.Progress.ABANDONED, "given up: no room to turn to its heading");
+      }
       Point there = Point.of(TURNS_TO_M * Math.cos(psi), TURNS_TO_M * Math.sin(psi), downM);
       NavigationPoint turn = NavigationPoint.at(vehicle.body(there)).speed(CREEPS_MPS);
       return Plan.unless(

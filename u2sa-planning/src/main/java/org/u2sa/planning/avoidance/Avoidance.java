@@ -38,6 +38,9 @@ import org.u2sa.planning.seen.SeenWorld;
  * motion. Confined to the planner's thread.
  */
 public final class Avoidance {
+  private static final double ROUNDING_M = 1.0e-6;
+  private static final double TURN_CHECKS = 12.0;
+  private static final double SOON_M = 1.0; // in which a vehicle that berths stops
   private static final String NONE = "NONE";
   private static final double IN_PLACE_M = 2.0; // beside or above, within which it is at a place
 
@@ -214,14 +217,58 @@ public final class Avoidance {
     return blocker(vehicle, state, vehicle.nedOf(to)).isPresent();
   }
 
-  /** Whether a vehicle on a surface that moves straight to a position comes to what stands. */
+  /**
+   * Whether a vehicle on a surface that moves straight to a position comes too close to what
+   * stands, and closer than it is; always if it touches something already.
+   */
   public boolean isOccupied(Vehicle vehicle, StateInformation state, Place to) {
-    AvoidanceVariables now = settings.get();
+    double hereM = hereM(vehicle, state, to);
+    double touchM = settings.get().touchM(world.costs().frame().cellM());
+    double leastM = Math.max(0.0, Math.min(touchM, hereM - ROUNDING_M));
+    Point way = vehicle.nedOf(to);
+    return isCloser(vehicle, way, vehicle.headingRad(), leastM)
+        || isCloser(vehicle, way, Math.atan2(way.y(), way.x()), leastM);
+  }
+
+  /**
+   * Whether such a vehicle would soon run into something without turning; never if it touches
+   * something already.
+   */
+  public boolean wouldTouch(Vehicle vehicle, StateInformation state, Place to) {
+    Point way = vehicle.nedOf(to);
+    double share = Math.min(1.0, SOON_M / Math.hypot(way.x(), way.y()));
+    Point soon = Point.of(share * way.x(), share * way.y(), 0.0);
+    return hereM(vehicle, state, to) >= 0.0 && isCloser(vehicle, soon, vehicle.headingRad(), 0.0);
+  }
+
+  /**
+   * Whether a vehicle on a surface can turn where it is without running into something; always if
+   * it touches something already.
+   *
+   * @param turnRad turn [rad], positive to the right
+   */
+  public boolean hasRoomToTurn(Vehicle vehicle, StateInformation state, double turnRad) {
+    double hereM = hereM(vehicle, state, vehicle.place());
+    BodyDiscs body = body(settings.get());
+    Point at = vehicle.on(plane);
+    double leastM = hereM;
+    for (double k = 1.0; k <= TURN_CHECKS; k++) {
+      double headingRad = vehicle.headingRad() + k / TURN_CHECKS * turnRad;
+      leastM = Math.min(leastM, body.clearanceM(world.costs(), at.x(), at.y(), headingRad));
+    }
+    return hereM < 0.0 || leastM >= 0.0;
+  }
+
+  private double hereM(Vehicle vehicle, StateInformation state, Place to) {
     lieOn(world.plane(state));
     Point at = vehicle.on(plane);
-    Point way = vehicle.nedOf(to);
-    world.update(state, at.x(), at.y(), at.z(), at.z() + way.z());
-    return straight.isOccupied(vehicle, at, way, body(now), now);
+    world.update(state, at.x(), at.y(), at.z(), at.z() + vehicle.nedOf(to).z());
+    return body(settings.get()).clearanceM(world.costs(), at.x(), at.y(), vehicle.headingRad());
+  }
+
+  private boolean isCloser(Vehicle vehicle, Point way, double headingRad, double leastM) {
+    BodyDiscs body = body(settings.get());
+    return straight.clearanceM(vehicle.on(plane), way, body, headingRad, leastM) < leastM;
   }
 
   private Optional<String> blocker(Vehicle vehicle, StateInformation state, Point way) {

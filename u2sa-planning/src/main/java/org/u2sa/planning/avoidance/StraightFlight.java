@@ -23,7 +23,6 @@ final class StraightFlight {
 
   private static final double CHECK_M = 0.5; // distance between positions of a checked way
   private static final double CLOSER_M = 0.1; // smaller approaches are free
-  private static final double ROUNDING_M = 1.0e-6;
   private static final double REACH_M = 300.0; // a way is checked so far ahead
 
   private final SeenWorld world;
@@ -91,34 +90,26 @@ final class StraightFlight {
   }
 
   /**
-   * Whether a vehicle on a surface that moves straight comes too close to an occupied cell, and
-   * closer than it is.
+   * Least clearance of a vehicle on a surface that moves straight, after it has left its place [m];
+   * not exact once it is less than that place's.
    *
    * @param at vehicle on the planning plane [m]
    * @param way north and east to its end [m]
+   * @param headingRad heading on the way
+   * @param enoughM clearance below which the rest of the way does not matter [m]
    */
-  boolean isOccupied(Vehicle vehicle, Point at, Point way, BodyDiscs body, AvoidanceVariables now) {
+  double clearanceM(Point at, Point way, BodyDiscs body, double headingRad, double enoughM) {
     CostGrid grid = world.costs();
-    double headingRad = vehicle.headingRad();
-    double courseRad = Math.atan2(way.y(), way.x());
-    double touchM = now.touchM(grid.frame().cellM());
-    double hereM = body.clearanceM(grid, at.x(), at.y(), headingRad);
-    double leastM = Math.max(0.0, Math.min(touchM, hereM - ROUNDING_M)); // no less if it touches
     double lengthM = Math.hypot(way.x(), way.y());
     double steps = Math.ceil(Math.min(lengthM, REACH_M) / grid.frame().cellM());
-    for (double i = 1.0; i <= steps; i++) {
+    double leastM = Double.POSITIVE_INFINITY;
+    for (double i = 1.0; i <= steps && leastM >= enoughM; i++) {
       double share = i / steps * Math.min(1.0, REACH_M / lengthM);
       double north = at.x() + share * way.x();
       double east = at.y() + share * way.y();
-      double awayM =
-          Math.min(
-              body.clearanceM(grid, north, east, headingRad),
-              body.clearanceM(grid, north, east, courseRad));
-      if (awayM < leastM) {
-        return true;
-      }
+      leastM = Math.min(leastM, body.clearanceM(grid, north, east, headingRad));
     }
-    return false;
+    return leastM;
   }
 
   /** See {@link Avoidance#blocksDescent}; the vehicle on the planning plane [m]. */
