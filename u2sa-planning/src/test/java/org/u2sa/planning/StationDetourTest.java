@@ -8,10 +8,12 @@ import java.util.OptionalDouble;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.PathStatus;
 import org.u2sa.messages.PlannedPath;
+import org.u2sa.messages.contract.ConfigurationChange;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.Station;
@@ -43,9 +45,13 @@ class StationDetourTest extends PlannedVehicle {
   }
 
   private void sees(double north, double east) {
+    sees(north, east, 0.0);
+  }
+
+  private void sees(double north, double east, double heading) {
     kit.advance(0.1);
     kit.publish(Channels.OBJECTS, new ObjectList().objects(List.of(pole)));
-    kit.publish(Channels.STATE, state(north, east, 0.0));
+    kit.publish(Channels.STATE, state(north, east, heading));
   }
 
   private double nearestToThePoleM() {
@@ -136,6 +142,51 @@ class StationDetourTest extends PlannedVehicle {
 
     assertThat(kit.published(Channels.GOAL_REPORTS)).as("reached").isNotEmpty();
     assertThat(point().distance()).isCloseTo(0.0, within(0.05));
+  }
+
+  private NavigationPoint navigation() {
+    return kit.latest(Channels.NAVIGATION).orElseThrow();
+  }
+
+  @Test
+  void station_poleOnItsStraightWay_isWaitedFor() {
+    pole = pole(18.6, 0);
+    goals(station().approach(5.0).psi(0.0));
+    sees(15.0, 0);
+    sees(16.5, 0);
+
+    assertThat(point().distance()).isCloseTo(0.0, within(1.0e-9));
+    assertThat(navigation().speed()).hasValue(0.0);
+    assertThat(logged("waits: something is where it would move")).isEqualTo(1);
+  }
+
+  @Test
+  void station_enteredSternFirst_isReachedWithoutTurningRound() {
+    pole = pole(0, 30);
+    goals(station().approach(5.0).backwards(true).psi(Math.PI));
+    for (double north : new double[] {15.0, 17.0, 19.0, 19.6}) {
+      sees(north, 0, Math.PI);
+    }
+
+    assertThat(point().x()).isCloseTo(-0.4, within(1.0e-6));
+    assertThat(navigation().backwards()).isTrue();
+  }
+
+  @Test
+  void station_poleBesideTheBow_isNoPlaceToTurn() {
+    kit.publish(
+        Channels.CONFIGURATION,
+        new ConfigurationChange()
+            .variableName("VEHICLE FRONT")
+            .value("2.0")
+            .serviceName("PathPlanner"));
+    pole = pole(20.0, 1.8);
+    goals(station().psi(Math.PI / 2.0));
+    sees(20.0, 0.0);
+    sees(20.0, 0.0);
+
+    assertThat(navigation().turn()).isEmpty();
+    assertThat(navigation().speed()).hasValue(0.0);
   }
 
   @Test
