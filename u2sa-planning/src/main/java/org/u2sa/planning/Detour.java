@@ -45,25 +45,29 @@ final class Detour {
   /** Whether the straight way of a vehicle on a surface leads to something that stands or moves. */
   boolean isOccupied(Vehicle vehicle, StateInformation state, Place to) {
     return avoidance.isOn()
-        && (avoidance.comesTraffic(vehicle, state, to) || avoidance.isOccupied(vehicle, state, to));
+        && (avoidance.comesTraffic(vehicle, state, to)
+            || avoidance.room(vehicle, state, to).isOccupied());
   }
 
-  /** Whether such a vehicle would run into something, or something moves on its way. */
-  boolean wouldTouch(Vehicle vehicle, StateInformation state, Place to) {
+  /** Whether such a vehicle would soon run into something, or something moves on its way. */
+  boolean isBlockedSoon(Vehicle vehicle, StateInformation state, Place to) {
     return avoidance.isOn()
         && !avoidance.guards(state)
-        && (avoidance.comesTraffic(vehicle, state, to) || avoidance.wouldTouch(vehicle, state, to));
+        && (avoidance.comesTraffic(vehicle, state, to)
+            || avoidance.room(vehicle, state, to).isBlockedSoon());
   }
 
   /**
    * Whether a vehicle on a surface can turn where it is; small turns always count as possible,
    * because it may be berthed.
+   *
+   * @param turnRad turn [rad], positive to the right
    */
   boolean hasRoomToTurn(Vehicle vehicle, StateInformation state, double turnRad) {
     return !avoidance.isOn()
         || avoidance.guards(state)
         || Math.abs(turnRad) < SMALL_RAD
-        || avoidance.hasRoomToTurn(vehicle, state, turnRad);
+        || avoidance.room(vehicle, state, vehicle.place()).isEnoughToTurn(turnRad);
   }
 
   /** Whether something blocks the straight way to a position. */

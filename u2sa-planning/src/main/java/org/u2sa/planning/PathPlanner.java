@@ -113,7 +113,7 @@ public class PathPlanner extends EventDrivenService {
         new PlannerStates(
             List.of(
                 new WaypointState(
-                    guidance, settings, avoidance, rightOfWay, seeing, ground::isArmed),
+                    guidance, settings, avoidance, rightOfWay, seeing, detour, ground::isArmed),
                 new ObjectGoalState(avoidance, seeing),
                 new StationState(
                     guidance,

@@ -21,6 +21,7 @@ import org.u2sa.planning.station.BerthWay;
 import org.u2sa.planning.station.StationHeading;
 import org.u2sa.planning.station.StationPatience;
 import org.u2sa.planning.station.StationVariables;
+import org.u2sa.planning.station.StationWait;
 import org.u2sa.service.handover.HandOver;
 
 /**
@@ -52,7 +53,7 @@ final class StationState implements PlannerState {
   private final StationPatience patience = new StationPatience();
   private final Detour detour;
   private boolean isRouted; // follows the route planner
-  private boolean isWaiting; // before something
+  private final StationWait wait = new StationWait();
 
   /**
    * Creates the state.
@@ -94,7 +95,7 @@ final class StationState implements PlannerState {
     here = Vehicle.of(pursuit.state()).map(Vehicle::place);
     circle.leave();
     isRouted = false;
-    isWaiting = false;
+    wait.begin();
     heading.begin(lacksSway.getAsBoolean());
     patience.begin(0.0);
   }
@@ -180,7 +181,7 @@ final class StationState implements PlannerState {
     NavigationPoint point;
     boolean stays =
         isOnStraightWay
-            ? detour.wouldTouch(vehicle, pursuit.state(), place)
+            ? detour.isBlockedSoon(vehicle, pursuit.state(), place)
             : mustStay(vehicle, pursuit.state(), wanted);
     if (stays) {
       point = towards(Point.ORIGIN, Optional.empty(), station, vehicle).speed(0.0);
@@ -199,18 +200,11 @@ final class StationState implements PlannerState {
     if (!hasRoom) {
       point = NavigationPoint.at(Point.ORIGIN).speed(0.0);
     }
-    String remark = waiting(stays || !hasRoom);
+    String remark = wait.remark(stays || !hasRoom, vehicle.timestampMicros());
     Plan plan = progress(station, vehicle, to, List.of(point));
     return plan.progress() == Plan.Progress.UNDER_WAY
         ? new Plan(plan.points(), Plan.Progress.UNDER_WAY, remark)
         : plan;
-  }
-
-  /** Remark on a vehicle that begins to wait; otherwise empty. */
-  private String waiting(boolean waits) {
-    boolean begins = waits && !isWaiting;
-    isWaiting = waits;
-    return begins ? "waits: something is where it would move or turn" : "";
   }
 
   /**

@@ -54,6 +54,7 @@ final class WaypointState implements PlannerState {
   private final Avoidance avoidance;
   private final RightOfWayWatch rightOfWay;
   private final Supplier<AvoidanceVariables> seeing;
+  private final Detour detour;
   private final BooleanSupplier mayMove;
   private final AltitudeProgress altitude = new AltitudeProgress();
   private final ApproachWatch beside = new ApproachWatch();
@@ -76,7 +77,9 @@ final class WaypointState implements PlannerState {
       Avoidance avoidance,
       RightOfWayWatch rightOfWay,
       Supplier<AvoidanceVariables> seeing,
+      Detour detour,
       BooleanSupplier mayMove) {
+    this.detour = detour;
     this.mayMove = mayMove;
     this.guidance = guidance;
     this.settings = settings;
@@ -267,16 +270,14 @@ final class WaypointState implements PlannerState {
       return new Plan(List.of(point), Plan.Progress.COMPLETED, remark + passing(waypoint, downM));
     }
     if (avoidance.turnsOnTheSpot()) {
-      StateInformation state = last.orElseThrow();
-      if (!avoidance.guards(state)
-          && !avoidance.hasRoomToTurn(vehicle, state, Leg.wrapped(psi - vehicle.headingRad()))) {
+      double turnRad = Leg.wrapped(psi - vehicle.headingRad());
+      if (!detour.hasRoomToTurn(vehicle, last.orElseThrow(), turnRad)) {
         return new Plan(
             List.of(), Plan.Progress.ABANDONED, "given up: no room to turn to its heading");
       }
       Point there = Point.of(TURNS_TO_M * Math.cos(psi), TURNS_TO_M * Math.sin(psi), downM);
       NavigationPoint turn = NavigationPoint.at(vehicle.body(there)).speed(CREEPS_MPS);
-      return Plan.unless(
-          step.givenUp(), List.of(turn.turn(Leg.wrapped(psi - vehicle.headingRad()))));
+      return Plan.unless(step.givenUp(), List.of(turn.turn(turnRad)));
     }
     Point to = vehicle.nedOf(target);
     if (Math.hypot(to.x(), to.y()) <= waypoint.horizontalThreshold()) {

@@ -28,6 +28,7 @@ import org.u2sa.planning.local.VerticalRoom;
 import org.u2sa.planning.route.RoutePlanner;
 import org.u2sa.planning.route.RoutePlanners;
 import org.u2sa.planning.search.BodyDiscs;
+import org.u2sa.planning.search.CostGrid;
 import org.u2sa.planning.seen.Mover;
 import org.u2sa.planning.seen.PlanningPlane;
 import org.u2sa.planning.seen.SeenWorld;
@@ -38,9 +39,6 @@ import org.u2sa.planning.seen.SeenWorld;
  * motion. Confined to the planner's thread.
  */
 public final class Avoidance {
-  private static final double ROUNDING_M = 1.0e-6;
-  private static final double TURN_CHECKS = 12.0;
-  private static final double SOON_M = 1.0; // in which a vehicle that berths stops
   private static final String NONE = "NONE";
   private static final double IN_PLACE_M = 2.0; // beside or above, within which it is at a place
 
@@ -218,57 +216,19 @@ public final class Avoidance {
   }
 
   /**
-   * Whether a vehicle on a surface that moves straight to a position comes too close to what
-   * stands, and closer than it is; always if it touches something already.
-   */
-  public boolean isOccupied(Vehicle vehicle, StateInformation state, Place to) {
-    double hereM = hereM(vehicle, state, to);
-    double touchM = settings.get().touchM(world.costs().frame().cellM());
-    double leastM = Math.max(0.0, Math.min(touchM, hereM - ROUNDING_M));
-    Point way = vehicle.nedOf(to);
-    return isCloser(vehicle, way, vehicle.headingRad(), leastM)
-        || isCloser(vehicle, way, Math.atan2(way.y(), way.x()), leastM);
-  }
-
-  /**
-   * Whether such a vehicle would soon run into something without turning; never if it touches
-   * something already.
-   */
-  public boolean wouldTouch(Vehicle vehicle, StateInformation state, Place to) {
-    Point way = vehicle.nedOf(to);
-    double share = Math.min(1.0, SOON_M / Math.hypot(way.x(), way.y()));
-    Point soon = Point.of(share * way.x(), share * way.y(), 0.0);
-    return hereM(vehicle, state, to) >= 0.0 && isCloser(vehicle, soon, vehicle.headingRad(), 0.0);
-  }
-
-  /**
-   * Whether a vehicle on a surface can turn where it is without running into something; always if
-   * it touches something already.
+   * Room of a vehicle on a surface where it is.
    *
-   * @param turnRad turn [rad], positive to the right
+   * @param to position to which it would move straight
    */
-  public boolean hasRoomToTurn(Vehicle vehicle, StateInformation state, double turnRad) {
-    double hereM = hereM(vehicle, state, vehicle.place());
-    BodyDiscs body = body(settings.get());
-    Point at = vehicle.on(plane);
-    double leastM = hereM;
-    for (double k = 1.0; k <= TURN_CHECKS; k++) {
-      double headingRad = vehicle.headingRad() + k / TURN_CHECKS * turnRad;
-      leastM = Math.min(leastM, body.clearanceM(world.costs(), at.x(), at.y(), headingRad));
-    }
-    return hereM < 0.0 || leastM >= 0.0;
-  }
-
-  private double hereM(Vehicle vehicle, StateInformation state, Place to) {
+  public SurfaceRoom room(Vehicle vehicle, StateInformation state, Place to) {
+    AvoidanceVariables now = settings.get();
     lieOn(world.plane(state));
     Point at = vehicle.on(plane);
-    world.update(state, at.x(), at.y(), at.z(), at.z() + vehicle.nedOf(to).z());
-    return body(settings.get()).clearanceM(world.costs(), at.x(), at.y(), vehicle.headingRad());
-  }
-
-  private boolean isCloser(Vehicle vehicle, Point way, double headingRad, double leastM) {
-    BodyDiscs body = body(settings.get());
-    return straight.clearanceM(vehicle.on(plane), way, body, headingRad, leastM) < leastM;
+    Point way = vehicle.nedOf(to);
+    world.update(state, at.x(), at.y(), at.z(), at.z() + way.z());
+    CostGrid costs = world.costs();
+    double touchM = now.touchM(costs.frame().cellM());
+    return new SurfaceRoom(costs, body(now), at, vehicle.headingRad(), way, touchM);
   }
 
   private Optional<String> blocker(Vehicle vehicle, StateInformation state, Point way) {

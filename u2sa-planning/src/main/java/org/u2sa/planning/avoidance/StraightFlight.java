@@ -7,11 +7,10 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.search.BodyDiscs;
-import org.u2sa.planning.search.CostGrid;
 import org.u2sa.planning.seen.PlanarShape;
 import org.u2sa.planning.seen.SeenWorld;
 
-/** Checks straight ways for obstacles and traffic. */
+/** Checks straight ways of an aircraft for obstacles and traffic. */
 final class StraightFlight {
   /** Height above the landing position below which obstacles are not checked [m]. */
   private static final double LOWEST_M = 2.0;
@@ -87,29 +86,6 @@ final class StraightFlight {
       alongM += Math.max(0.0, awayM - keptM - CHECK_M); // nothing is closer up to there
     }
     return false;
-  }
-
-  /**
-   * Least clearance of a vehicle on a surface that moves straight, after it has left its place [m];
-   * not exact once it is less than that place's.
-   *
-   * @param at vehicle on the planning plane [m]
-   * @param way north and east to its end [m]
-   * @param headingRad heading on the way
-   * @param enoughM clearance below which the rest of the way does not matter [m]
-   */
-  double clearanceM(Point at, Point way, BodyDiscs body, double headingRad, double enoughM) {
-    CostGrid grid = world.costs();
-    double lengthM = Math.hypot(way.x(), way.y());
-    double steps = Math.ceil(Math.min(lengthM, REACH_M) / grid.frame().cellM());
-    double leastM = Double.POSITIVE_INFINITY;
-    for (double i = 1.0; i <= steps && leastM >= enoughM; i++) {
-      double share = i / steps * Math.min(1.0, REACH_M / lengthM);
-      double north = at.x() + share * way.x();
-      double east = at.y() + share * way.y();
-      leastM = Math.min(leastM, body.clearanceM(grid, north, east, headingRad));
-    }
-    return leastM;
   }
 
   /** See {@link Avoidance#blocksDescent}; the vehicle on the planning plane [m]. */

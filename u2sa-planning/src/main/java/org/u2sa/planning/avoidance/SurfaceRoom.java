@@ -1,0 +1,77 @@
+package org.u2sa.planning.avoidance;
+
+import org.u2sa.messages.frame.Point;
+import org.u2sa.planning.search.BodyDiscs;
+import org.u2sa.planning.search.CostGrid;
+
+/**
+ * Room that a ground vehicle, boat or submarine has to move straight or turn where it is, without a
+ * route. Immutable; valid until the world changes.
+ *
+ * @param grid distances from what stands, on the planning plane
+ * @param at vehicle on the planning plane [m]
+ * @param headingRad its heading
+ * @param way north and east to where it would move [m]
+ * @param touchM clearance that it keeps from what stands [m]
+ */
+public record SurfaceRoom(
+    CostGrid grid, BodyDiscs body, Point at, double headingRad, Point way, double touchM) {
+  private static final double ROUNDING_M = 1.0e-6;
+  private static final double REACH_M = 300.0; // a way is checked so far ahead
+  private static final double SOON_M = 1.0; // in which a vehicle that berths stops
+  private static final double TURN_CHECKS = 12.0; // headings between the present one and the last
+
+  /**
+   * Whether the way leads too close to what stands, and closer than the vehicle is; always if it
+   * touches something already.
+   */
+  public boolean isOccupied() {
+    double leastM = Math.max(0.0, Math.min(touchM, hereM() - ROUNDING_M));
+    return isCloser(REACH_M, headingRad, leastM)
+        || isCloser(REACH_M, Math.atan2(way.y(), way.x()), leastM);
+  }
+
+  /**
+   * Whether the vehicle would soon run into something without turning; never if it touches
+   * something already, as in a narrow berth.
+   */
+  public boolean isBlockedSoon() {
+    return hereM() >= 0.0 && isCloser(SOON_M, headingRad, 0.0);
+  }
+
+  /**
+   * Whether the vehicle can turn where it is without running into something; always if it touches
+   * something already.
+   *
+   * @param turnRad turn [rad], positive to the right
+   */
+  public boolean isEnoughToTurn(double turnRad) {
+    boolean isFree = true;
+    for (double k = 1.0; isFree && k <= TURN_CHECKS; k++) {
+      isFree = clearanceM(at, headingRad + k / TURN_CHECKS * turnRad) >= 0.0;
+    }
+    return isFree || hereM() < 0.0;
+  }
+
+  private double hereM() {
+    return clearanceM(at, headingRad);
+  }
+
+  private double clearanceM(Point place, double heading) {
+    return body.clearanceM(grid, place.x(), place.y(), heading);
+  }
+
+  /** Whether the clearance falls below a limit on a part of the way. */
+  private boolean isCloser(double reachM, double heading, double limitM) {
+    double lengthM = Math.hypot(way.x(), way.y());
+    double steps = Math.ceil(Math.min(lengthM, reachM) / grid.frame().cellM());
+    for (double i = 1.0; i <= steps; i++) {
+      double share = i / steps * Math.min(1.0, reachM / lengthM);
+      Point place = Point.of(at.x() + share * way.x(), at.y() + share * way.y(), at.z());
+      if (clearanceM(place, heading) < limitM) {
+        return true;
+      }
+    }
+    return false;
+  }
+}
