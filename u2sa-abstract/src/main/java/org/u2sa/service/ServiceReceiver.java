@@ -111,8 +111,7 @@ final class ServiceReceiver implements Receiver {
     } else if (!service.orders.isNew(order)) {
       trouble("not stopped, because the order arrived twice: " + order);
     } else {
-      service.life.stopFor(
-          order.stopAll() ? "all services were ordered to stop" : "it was ordered to stop");
+      service.life.stopFor(order.stopAll() ? U2SAService.ALL_STOPPED : "it was ordered to stop");
     }
   }
 

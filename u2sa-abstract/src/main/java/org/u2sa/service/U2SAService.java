@@ -46,6 +46,9 @@ import org.u2sa.service.inbox.ServiceInbox;
  */
 public abstract class U2SAService extends Thread
     implements Communicator, Publisher, Subscriber, Logger, ServiceInstance {
+  /** {@link #endReason} of a service that ended with all others of its system. */
+  public static final String ALL_STOPPED = "all services were ordered to stop";
+
   /** Identifies the service's thread in the log (thesis 8.2.3.1). */
   protected final int threadID;
 

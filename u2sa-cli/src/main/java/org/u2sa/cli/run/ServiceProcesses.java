@@ -162,6 +162,17 @@ final class ServiceProcesses implements AutoCloseable {
     return refused;
   }
 
+  /**
+   * Ends all processes after a while in which services that heard an order to stop end by
+   * themselves; one that was still starting has not heard it.
+   */
+  void endAll() throws InterruptedException {
+    for (Process process : started()) {
+      process.waitFor(END_WITHIN_S, TimeUnit.SECONDS);
+    }
+    close();
+  }
+
   private synchronized List<Process> started() {
     return new ArrayList<>(processes.values());
   }

@@ -19,6 +19,7 @@ import org.u2sa.messages.contract.ServiceAction;
 import org.u2sa.messages.contract.ServiceOrder;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.service.ServiceContext;
+import org.u2sa.service.U2SAService;
 
 /**
  * Executes start and restart orders when each service has its own process: ends it, by SIGKILL if
@@ -69,6 +70,21 @@ final class Supervisor implements ServiceHost, AutoCloseable {
     guard = new MonitorGuard(names, clock, new GuardedProcesses(console), console);
     guard.start();
     processes.onFailure(this::ended);
+    Thread end = new Thread(this::endWithAll, "u2sa-end-of-system");
+    end.setDaemon(true);
+    end.start();
+  }
+
+  /** Waits until all services are ordered to stop, and ends those that were still starting. */
+  private void endWithAll() {
+    try {
+      launcher.awaitEnd();
+      if (launcher.endReason().filter(U2SAService.ALL_STOPPED::equals).isPresent()) {
+        processes.endAll();
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
   }
 
   /**

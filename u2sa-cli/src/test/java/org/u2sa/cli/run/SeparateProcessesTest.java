@@ -148,6 +148,27 @@ class SeparateProcessesTest {
   }
 
   @Test
+  void stop_serviceIsStillStarting_endsTheSystemToo() throws Exception {
+    Path gate = folder.resolve("gate");
+    ProcessBuilder run = run(system(Latecomer.class));
+    run.environment().put(Latecomer.GATE, gate.toString());
+    Process supervisor = run.start();
+    StringWriter said = new StringWriter();
+    try {
+      awaitLine(supervisor, "System boat is running in processes");
+
+      PrintWriter out = new PrintWriter(said);
+      int exitCode = Main.run(out, out, "stop", "--broker", broker, "--timeout", "60");
+      Files.createFile(gate);
+
+      assertThat(exitCode).as(said.toString()).isEqualTo(ExitCode.DONE);
+      assertThat(supervisor.waitFor(60, TimeUnit.SECONDS)).as("ended").isTrue();
+    } finally {
+      ProcessTree.end(supervisor); // ends its services first
+    }
+  }
+
+  @Test
   void restart_serviceThatWorks_isReleasedBeforeItEnds() throws Exception {
     Path system = system(Winch.class);
     Process supervisor = run(system).start();
