@@ -248,8 +248,9 @@ final class MotionForecast {
   }
 
   /**
-   * Whether a climb or descent leads to obstacles at other altitudes, or a motion off the route to
-   * rising ground: a vehicle that cannot stop may turn away from it after the arc.
+   * Whether a climb or descent leads to obstacles at other altitudes, or a level motion to rising
+   * ground. A vehicle that cannot stop may turn away from the ground after an arc, and is led along
+   * its route by the mission.
    */
   private boolean isBlockedElsewhere(Pose at, double downM, Motion motion, double gone) {
     if (room == null) {
@@ -258,7 +259,7 @@ final class MotionForecast {
     if (!Double.isNaN(motion.toDownM())) {
       return room.isBlocked(at, downM);
     }
-    boolean matters = motion.track() == null && (limits.stops() || gone <= motion.arcM());
+    boolean matters = limits.stops() || motion.track() == null && gone <= motion.arcM();
     return matters && room.isGroundNear(at, downM);
   }
 

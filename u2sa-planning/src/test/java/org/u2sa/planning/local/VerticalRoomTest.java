@@ -258,15 +258,17 @@ class VerticalRoomTest {
     assertThat(freeM(stops, left, slope(levelM))).isInfinite();
   }
 
-  /** The mission leads there. */
+  /** An aeroplane is led by its mission; a multirotor can stop. */
   @Test
-  void play_routeToASlope_isFree() {
+  void play_routeToASlope_isFreeUpToItForAVehicleThatStops() {
     Route.Point from = new Route.Point(0.0, 0.0, false);
     Route.Point to = new Route.Point(100.0, 100.0, false);
     RouteTrack track = new RouteTrack(Route.of(List.of(from, to), 142.0));
 
-    assertThat(freeM(true, Motion.along(track, 0.05, false, 5.0, 25.0), slope(CLEARANCE)))
-        .isInfinite();
+    Motion along = Motion.along(track, 0.05, false, 5.0, 25.0);
+
+    assertThat(freeM(true, along, slope(CLEARANCE))).isBetween(1.0, 100.0);
+    assertThat(freeM(false, along, slope(CLEARANCE))).isInfinite();
   }
 
   /** An aeroplane can only pass a wall where the ground rises. */
