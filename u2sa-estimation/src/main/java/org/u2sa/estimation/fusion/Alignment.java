@@ -1,5 +1,6 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.rotation.MotionHeading;
 import org.u2sa.estimation.rotation.Quaternions;
 
 /**
@@ -86,6 +87,7 @@ final class Alignment {
     Quaternions.matrix(s.x, FilterState.Q, r);
     double by = Math.IEEEremainder(psi - Quaternions.psi(r), 2.0 * Math.PI);
     Quaternions.turnEarth(s.x, FilterState.Q, 0.0, 0.0, by);
+    MotionHeading.corrected(s.motion, by);
     s.hasHeading = true;
     s.isolate(FilterState.ATTITUDE + 2, variance);
   }

@@ -2,6 +2,7 @@ package org.u2sa.estimation.fusion;
 
 import java.util.Arrays;
 import org.ejml.data.DMatrixRMaj;
+import org.u2sa.estimation.rotation.MotionHeading;
 
 /**
  * Nominal state, error covariance and source statistics at one time. Flat arrays, so that a state
@@ -78,7 +79,8 @@ final class FilterState {
 
   final double[] x = new double[SIZE];
   final DMatrixRMaj p = new DMatrixRMaj(N, N);
-  final double[] search = new double[17]; // HeadingSearch's numbers
+  final double[] search = new double[HeadingSearch.SIZE];
+  final double[] motion = new double[MotionHeading.SIZE];
   final double[] sightings = new double[36]; // see RepeatedSightings
   double[] trust = new double[0]; // SourceTrust's numbers
   long micros;
@@ -131,6 +133,7 @@ final class FilterState {
     System.arraycopy(o.x, 0, x, 0, SIZE);
     System.arraycopy(o.p.data, 0, p.data, 0, N * N);
     System.arraycopy(o.search, 0, search, 0, search.length);
+    System.arraycopy(o.motion, 0, motion, 0, motion.length);
     System.arraycopy(o.sightings, 0, sightings, 0, sightings.length);
     if (trust.length < o.trust.length) {
       trust = new double[o.trust.length];

@@ -3,6 +3,7 @@ package org.u2sa.estimation.fusion;
 import org.u2sa.estimation.measurement.Measurement;
 import org.u2sa.estimation.measurement.RepeatedSightings;
 import org.u2sa.estimation.measurement.SensedQuantity;
+import org.u2sa.estimation.rotation.MotionHeading;
 import org.u2sa.messages.frame.Gravity;
 
 /**
@@ -167,6 +168,18 @@ final class Fuser {
     if (quantity.isPlace()) {
       searchHeading(s, source);
     }
+    if (quantity == SensedQuantity.VELOCITY
+        && tuning.domain() == MotionDomain.AIR
+        && linear.rows >= 2) {
+      double north = linear.predicted[0] + linear.innovation[0];
+      double east = linear.predicted[1] + linear.innovation[1];
+      double variance = Math.max(linear.variance[0], linear.variance[1]);
+      MotionHeading.velocity(s.motion, source, north, east, variance);
+      if (MotionHeading.misleads(s.motion)) {
+        contradiction.turnHeading(s);
+        return;
+      }
+    }
     boolean isGauge =
         tuning.domain() == MotionDomain.UNDERWATER && isOnlyAltimeter(s, m, source, quantity);
     if (isGauge) {
@@ -214,6 +227,10 @@ final class Fuser {
     } else if (nis > gates[linear.rows]) {
       boolean mustGiveWay = judge.gated(s, linear, source, quantity, at);
       mustGiveWay |= isHeading && isTurnDoubted(s, at);
+      if (contradiction.isOfHeading(s, quantity, at)) {
+        contradiction.turnHeading(s);
+        return;
+      }
       if (contradiction.isOfGyroscopes(s)) {
         contradiction.reopenGyroscopes(s);
         return;
@@ -417,6 +434,7 @@ final class Fuser {
         break;
       case HEADING:
         s.headingMicros = now;
+        MotionHeading.restored(s.motion);
         break;
       case TILT:
         s.tiltMicros = now;

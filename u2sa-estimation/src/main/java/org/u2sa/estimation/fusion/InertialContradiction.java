@@ -3,6 +3,8 @@ package org.u2sa.estimation.fusion;
 import java.util.ArrayList;
 import java.util.List;
 import org.u2sa.estimation.measurement.SensedQuantity;
+import org.u2sa.estimation.rotation.MotionHeading;
+import org.u2sa.estimation.rotation.Quaternions;
 
 /**
  * Recovers from a tilt that was learned from a wrong position or speed, or that gyroscopes whose
@@ -90,6 +92,28 @@ final class InertialContradiction {
     admit(s);
   }
 
+  /**
+   * Whether a position or speed is rejected again and again while its receiver's velocities show
+   * that the heading is wrong.
+   */
+  boolean isOfHeading(FilterState s, SensedQuantity quantity, int at) {
+    return isOfMotion(quantity)
+        && s.trust[at + SourceTrust.STREAK] >= MIN_STREAK
+        && MotionHeading.refutes(s.motion, 0.0);
+  }
+
+  /** Turns the heading to that of the motion, and lets what it misled be learnt again. */
+  void turnHeading(FilterState s) {
+    double[] r = new double[9];
+    Quaternions.matrix(s.x, FilterState.Q, r);
+    double sigma = MotionHeading.sigmaRad(s.motion);
+    double psi = Quaternions.psi(r) + MotionHeading.errorRad(s.motion);
+    reopenMotion(s);
+    Alignment.heading(s, psi, sigma * sigma);
+    MotionHeading.followed(s.motion);
+    admit(s);
+  }
+
   private boolean isRecent(FilterState s, double sinceMicros) {
     double seconds = (s.micros - sinceMicros) * 1e-6;
     return seconds >= SINCE_S && seconds <= tuning.resetAfterS();
@@ -105,13 +129,19 @@ final class InertialContradiction {
    * aircraft's bank.
    */
   void reopen(FilterState s) {
+    reopenMotion(s);
+    for (int i = 0; i < 3; i++) {
+      Alignment.gyroBias(s, i);
+    }
+  }
+
+  private void reopenMotion(FilterState s) {
     double speed = tuning.domain().speedSigmaMps;
     for (int i = 0; i < 3; i++) {
       s.isolate(FilterState.VELOCITY + i, speed * speed);
       s.x[FilterState.BF + i] = 0.0;
       s.isolate(FilterState.FORCE_BIAS + i, tuning.forceBiasSigma() * tuning.forceBiasSigma());
       s.x[FilterState.LEVELLING + i] = 0.0;
-      Alignment.gyroBias(s, i);
     }
     Alignment.wheelScale(s, tuning);
     DelayErrors.reopen(s, tuning);

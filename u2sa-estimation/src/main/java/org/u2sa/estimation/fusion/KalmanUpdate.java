@@ -3,6 +3,7 @@ package org.u2sa.estimation.fusion;
 import java.util.Arrays;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
+import org.u2sa.estimation.rotation.MotionHeading;
 import org.u2sa.estimation.rotation.Quaternions;
 
 /**
@@ -212,6 +213,7 @@ final class KalmanUpdate {
         dx[FilterState.ATTITUDE],
         dx[FilterState.ATTITUDE + 1],
         dx[FilterState.ATTITUDE + 2]);
+    MotionHeading.corrected(state.motion, dx[FilterState.ATTITUDE + 2]);
     x[FilterState.FLOW_NORTH] += dx[FilterState.FLOW];
     x[FilterState.FLOW_NORTH + 1] += dx[FilterState.FLOW + 1];
     x[FilterState.WHEEL_SCALE] += dx[FilterState.SCALE];

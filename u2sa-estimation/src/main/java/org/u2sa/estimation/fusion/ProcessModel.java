@@ -1,5 +1,6 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.rotation.MotionHeading;
 import org.u2sa.estimation.rotation.Quaternions;
 
 /**
@@ -54,7 +55,9 @@ final class ProcessModel {
     }
     if (s.isStrapdown) {
       accelerate(s, dt);
+      MotionHeading.accelerate(s.motion, a[0], a[1], dt);
     } else {
+      MotionHeading.restart(s.motion);
       turnVelocity(s, dt);
       rise(s, dt);
     }

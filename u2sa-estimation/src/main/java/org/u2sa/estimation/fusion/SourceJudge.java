@@ -1,6 +1,7 @@
 package org.u2sa.estimation.fusion;
 
 import org.u2sa.estimation.measurement.SensedQuantity;
+import org.u2sa.estimation.rotation.MotionHeading;
 
 /**
  * Decides which sources are trusted: detects sources that repeat a value while the vehicle moves
@@ -14,6 +15,7 @@ final class SourceJudge {
   private static final int RESET_AFTER = 3;
   private static final double FROZEN_RUN = 3.0;
   private static final double LONGEST_HOLD_S = 0.2; // of a heading while the vehicle turns
+  private static final double KNOWN_RAD = 0.26; // sigma of a heading
   private static final double SILENT_AFTER_S = 1.0;
   private static final double SILENT_INTERVALS = 5.0;
 
@@ -145,12 +147,25 @@ final class SourceJudge {
       mean2 += t[at + SourceTrust.STREAK_MEAN + i] * t[at + SourceTrust.STREAK_MEAN + i];
     }
     boolean isOneSided = mean2 > 9.0 * SourceTrust.factor(s, at);
-    boolean isAlone = !isCorroborated(s, source, quantity);
+    boolean isRefuted =
+        quantity == SensedQuantity.HEADING && isHeadingRefuted(s, model.innovation[0]);
+    boolean isAlone = !isRefuted && !isCorroborated(s, source, quantity);
     if (streak >= BIASED_AFTER && isOneSided && !isAlone) {
       t[at + SourceTrust.IS_BIASED] = 1.0;
     }
     double since = (s.micros - t[at + SourceTrust.STREAK_SINCE]) / MICROS;
     return streak >= RESET_AFTER && since >= tuning.resetAfterS() && isAlone;
+  }
+
+  /**
+   * Whether the motion shows that a measured heading is wrong, or has shown it and the heading is
+   * still known.
+   */
+  private static boolean isHeadingRefuted(FilterState s, double innovation) {
+    boolean isKnown = s.variance(FilterState.ATTITUDE + 2) < KNOWN_RAD * KNOWN_RAD;
+    boolean isFar = Math.abs(Math.IEEEremainder(innovation, 2.0 * Math.PI)) > KNOWN_RAD;
+    return MotionHeading.refutes(s.motion, innovation)
+        || isFar && isKnown && MotionHeading.isFollowed(s.motion);
   }
 
   /**
