@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatCode;
 
 import io.netty.channel.DefaultEventLoop;
 import java.net.InetAddress;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.security.SecureRandom;
 import java.util.EnumSet;
@@ -46,6 +47,7 @@ class ClientSessionTest {
     AtomicReference<Throwable> uncaught = new AtomicReference<>();
     AtomicBoolean answered = new AtomicBoolean();
     InetAddress from = InetAddress.getLoopbackAddress();
+    InetAddress other = InetAddress.getByAddress(new byte[] {10, 0, 0, 1});
     Thread.UncaughtExceptionHandler before = Thread.getDefaultUncaughtExceptionHandler();
     Thread.setDefaultUncaughtExceptionHandler((thread, thrown) -> uncaught.set(thrown));
     PasswordHash hash = PasswordHash.of("right".toCharArray(), new SecureRandom(), 1_000);
@@ -54,8 +56,9 @@ class ClientSessionTest {
         file, List.of(new User("pilot", EnumSet.of(AccessRole.OPERATOR), List.of("*"), hash)));
     Users users = new Users(file, line -> {});
     try (Authenticator authenticator = new Authenticator(users, new SystemClock(), what -> {})) {
-      authenticator.check("late", new byte[1], from, verdict -> Client.execute(loop, () -> {}));
-      authenticator.check("next", new byte[1], from, verdict -> answered.set(true));
+      authenticator.check("pilot", new byte[1], from, verdict -> Client.execute(loop, () -> {}));
+      byte[] right = "right".getBytes(StandardCharsets.UTF_8);
+      authenticator.check("pilot", right, other, verdict -> answered.set(true));
       BrokerTraffic.soon().until(() -> answered.get() || uncaught.get() != null);
     } finally {
       Thread.setDefaultUncaughtExceptionHandler(before);
