@@ -81,6 +81,15 @@ final class Alignment {
     s.isolate(FilterState.VELOCITY + axis, variance);
   }
 
+  /** Sets a velocity that was lost to a measured one: a position would mislead it for seconds. */
+  static void velocity(FilterState s, Linearization measured, double factor) {
+    for (int i = 0; i < measured.rows; i++) {
+      double mps = s.x[FilterState.V + i] + measured.innovation[i];
+      velocity(s, i, mps, factor * measured.variance[i]);
+    }
+    s.isVelocityLost = false;
+  }
+
   /** Rotates the nominal attitude about the vertical to the given heading [rad]. */
   static void heading(FilterState s, double psi, double variance) {
     double[] r = new double[9];

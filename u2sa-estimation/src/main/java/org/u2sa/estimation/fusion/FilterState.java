@@ -93,6 +93,7 @@ final class FilterState {
   boolean hasFlow;
   boolean isInertial; // angular rates drive the attitude
   boolean isStrapdown; // and specific forces the velocity
+  boolean isVelocityLost; // until a velocity over ground is measured
   long startedMicros;
   long gyroMicros; // time of the newest inertial input
   long forceMicros;
@@ -150,6 +151,7 @@ final class FilterState {
     hasFlow = o.hasFlow;
     isInertial = o.isInertial;
     isStrapdown = o.isStrapdown;
+    isVelocityLost = o.isVelocityLost;
     startedMicros = o.startedMicros;
     gyroMicros = o.gyroMicros;
     forceMicros = o.forceMicros;

@@ -180,6 +180,12 @@ final class Fuser {
         return;
       }
     }
+    if (s.isVelocityLost && quantity == SensedQuantity.VELOCITY && m.isWhole(quantity)) {
+      Alignment.velocity(s, linear, SourceTrust.factor(s, at));
+      count(s, at, SourceTrust.USED);
+      used(s, m, quantity);
+      return;
+    }
     boolean isGauge =
         tuning.domain() == MotionDomain.UNDERWATER && isOnlyAltimeter(s, m, source, quantity);
     if (isGauge) {

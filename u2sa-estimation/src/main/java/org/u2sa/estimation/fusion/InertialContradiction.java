@@ -68,7 +68,7 @@ final class InertialContradiction {
   boolean isOfGyroscopes(FilterState s) {
     boolean hasTilt = false;
     int contradicting = 0;
-    boolean isPossible = s.isInertial && tuning.domain() == MotionDomain.AIR;
+    boolean isPossible = s.isInertial && tuning.domain() != MotionDomain.GROUND;
     for (int source = 0; isPossible && source < trust.sources(); source++) {
       boolean ofTilt = contradicts(s, source, SensedQuantity.TILT);
       hasTilt |= ofTilt;
@@ -143,6 +143,7 @@ final class InertialContradiction {
       s.isolate(FilterState.FORCE_BIAS + i, tuning.forceBiasSigma() * tuning.forceBiasSigma());
       s.x[FilterState.LEVELLING + i] = 0.0;
     }
+    s.isVelocityLost = true;
     Alignment.wheelScale(s, tuning);
     DelayErrors.reopen(s, tuning);
     s.x[FilterState.LEVELLED] = 0.0;

@@ -8,25 +8,37 @@ import org.u2sa.estimation.measurement.Measurement;
 import org.u2sa.estimation.measurement.SensedQuantity;
 import org.u2sa.estimation.rotation.Quaternions;
 
-/** An aircraft whose only gyroscopes take on another bias in flight; everything else is right. */
+/** A vehicle whose only gyroscopes take on another bias under way; everything else is right. */
 class GyroscopeStepTest {
   private static final double STEP_AT_S = 20.0;
   private static final double SIGMA_RADPS = 0.003;
   private static final double TILT_SIGMA_RAD = Math.toRadians(1.0);
 
   private final Measurement m = new Measurement();
-  private final ErrorStateFilter filter = new ErrorStateFilter(FilterTuning.of(MotionDomain.AIR));
+  private ErrorStateFilter filter;
   private double worstM;
   private double worstTiltRad;
 
   @ParameterizedTest
-  @CsvSource({"1, 0.1, 0.05, 0.05", "2, 0.1, 0, 0", "3, 0, -0.1, 0", "4, -0.07, 0.07, -0.07"})
-  void add_biasOfTheGyroscopesSteps_isLearnt(int seed, double p, double q, double r) {
+  @CsvSource({
+    "1, AIR, 0.1, 0.05, 0.05",
+    "2, AIR, 0.1, 0, 0",
+    "3, AIR, 0, -0.1, 0",
+    "4, AIR, -0.07, 0.07, -0.07",
+    "5, WATER, 0.1, 0.05, 0.05",
+    "6, WATER, 0, -0.1, 0",
+    "7, UNDERWATER, 0.1, 0.05, 0.05",
+    "8, UNDERWATER, -0.07, 0.07, -0.07"
+  })
+  void add_biasOfTheGyroscopesSteps_isLearnt(
+      int seed, MotionDomain domain, double p, double q, double r) {
+    filter = new ErrorStateFilter(FilterTuning.of(domain));
+    double push = domain == MotionDomain.AIR ? 0.5 : 0.1;
     SimulatedMotion motion = new SimulatedMotion(seed);
     double[] step = {p, q, r, 0.0, 0.0, 0.0};
     double[] none = new double[6];
     for (int i = 1; i <= 6_000; i++) {
-      motion.fly(0.5, 0.1);
+      motion.fly(push, 0.2 * push);
       double t = motion.micros * 1e-6;
       motion.imu(m, "IMU", t < STEP_AT_S ? none : step, SIGMA_RADPS, 0.05);
       m.set(SensedQuantity.TILT, 0, tilt(motion, Quaternions.phi(motion.r)), TILT_SIGMA_RAD);
