@@ -175,10 +175,6 @@ final class Fuser {
       double east = linear.predicted[1] + linear.innovation[1];
       double variance = Math.max(linear.variance[0], linear.variance[1]);
       MotionHeading.velocity(s.motion, source, north, east, variance);
-      if (MotionHeading.misleads(s.motion)) {
-        contradiction.turnHeading(s);
-        return;
-      }
     }
     if (s.isVelocityLost && quantity == SensedQuantity.VELOCITY && m.isWhole(quantity)) {
       Alignment.velocity(s, linear, SourceTrust.factor(s, at));

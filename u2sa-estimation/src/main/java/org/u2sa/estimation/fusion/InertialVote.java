@@ -12,8 +12,8 @@ import org.u2sa.estimation.measurement.SensedQuantity;
  * sensors contradict it.
  *
  * <p>Sensors are not averaged: another sensor's sample is up to an interval old, and on a turning
- * vehicle that error exceeds the noise averaging would remove. The comparison uses means over about
- * ten samples, which average out the delay.
+ * vehicle that error exceeds the noise averaging would remove. The comparison therefore allows for
+ * the change during the other sample's age, and uses means over about ten samples.
  */
 final class InertialVote {
   private static final int AXES = 6; // angular rates, then specific forces
@@ -61,11 +61,17 @@ final class InertialVote {
       rate[i] = m.value(SensedQuantity.BODY_RATES, i);
       double turned = rate[i] - t[own + SourceTrust.RATES + i];
       change[i] = continues ? turned / Math.max(SHORTEST_S, seconds) : 0.0;
+      t[own + SourceTrust.CHANGE + i] = continues ? turned : 0.0;
+      t[own + SourceTrust.CHANGE + 3 + i] = -t[own + SourceTrust.RELEASED + i];
       t[own + SourceTrust.RATES + i] = rate[i];
       t[own + SourceTrust.RELEASED + i] = m.value(SensedQuantity.SPECIFIC_FORCE, i);
     }
     t[own + SourceTrust.RATES_MICROS] = m.micros();
     LeverArm.release(m, rate, change, t, own + SourceTrust.RELEASED);
+    for (int i = 0; i < 3; i++) {
+      int at = own + SourceTrust.CHANGE + 3 + i;
+      t[at] = continues ? t[at] + t[own + SourceTrust.RELEASED + i] : 0.0;
+    }
   }
 
   /** Whether a source was recently excluded; updates its mark. */
@@ -131,6 +137,9 @@ final class InertialVote {
     int own = trust.of(s, source);
     boolean hasForce = m.isWhole(SensedQuantity.SPECIFIC_FORCE);
     int axes = Math.min((int) t[own + SourceTrust.INERTIAL], hasForce ? AXES : AXES / 2);
+    int driving = trust.of(s, main);
+    double ageS = (m.micros() - t[own + SourceTrust.LAST_MICROS]) * 1e-6;
+    double late = ageS / Math.max(SHORTEST_S, t[driving + SourceTrust.INTERVAL]);
     boolean differs = false;
     for (int axis = 0; axis < axes; axis++) {
       boolean isRate = axis < 3;
@@ -139,7 +148,9 @@ final class InertialVote {
       double noise = m.sigma(quantity, axis % 3);
       limits[axis] = UNLIKELY * Math.sqrt(2.0 * (bias * bias + MEAN_SHARE * noise * noise));
       int numbers = isRate ? SourceTrust.RATES : SourceTrust.RELEASED;
-      double apart = t[own + numbers + axis % 3] - t[trust.of(s, main) + numbers + axis % 3];
+      double apart = t[own + numbers + axis % 3] - t[driving + numbers + axis % 3];
+      double aged = late * Math.abs(t[driving + SourceTrust.CHANGE + axis]);
+      apart = Math.copySign(Math.max(0.0, Math.abs(apart) - aged), apart);
       int mean = mean(s, source, axis);
       t[mean] += MEAN_SHARE * (apart - t[mean]);
       differs |= Math.abs(t[mean]) > limits[axis];

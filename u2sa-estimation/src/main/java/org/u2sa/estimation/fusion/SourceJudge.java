@@ -127,7 +127,7 @@ final class SourceJudge {
    * Records a vector beyond the gate.
    *
    * @return whether the estimate must be reset from it, because no other source supports the
-   *     estimate
+   *     estimate, or the motion shows that this heading is right and the estimate's is wrong
    */
   boolean gated(FilterState s, Linearization model, int source, SensedQuantity quantity, int at) {
     double[] t = s.trust;
@@ -147,14 +147,16 @@ final class SourceJudge {
       mean2 += t[at + SourceTrust.STREAK_MEAN + i] * t[at + SourceTrust.STREAK_MEAN + i];
     }
     boolean isOneSided = mean2 > 9.0 * SourceTrust.factor(s, at);
-    boolean isRefuted =
-        quantity == SensedQuantity.HEADING && isHeadingRefuted(s, model.innovation[0]);
+    boolean isHeading = quantity == SensedQuantity.HEADING;
+    boolean isRefuted = isHeading && isHeadingRefuted(s, model.innovation[0]);
+    boolean isConfirmed = isHeading && isHeadingConfirmed(s, model.innovation[0]);
     boolean isAlone = !isRefuted && !isCorroborated(s, source, quantity);
     if (streak >= BIASED_AFTER && isOneSided && !isAlone) {
       t[at + SourceTrust.IS_BIASED] = 1.0;
     }
     double since = (s.micros - t[at + SourceTrust.STREAK_SINCE]) / MICROS;
-    return streak >= RESET_AFTER && since >= tuning.resetAfterS() && isAlone;
+    boolean isLasting = since >= tuning.resetAfterS() && isAlone;
+    return streak >= RESET_AFTER && (isLasting || isConfirmed);
   }
 
   /**
@@ -166,6 +168,11 @@ final class SourceJudge {
     boolean isFar = Math.abs(Math.IEEEremainder(innovation, 2.0 * Math.PI)) > KNOWN_RAD;
     return MotionHeading.refutes(s.motion, innovation)
         || isFar && isKnown && MotionHeading.isFollowed(s.motion);
+  }
+
+  /** Whether the motion shows that a measured heading is right, and that the estimate's is not. */
+  private static boolean isHeadingConfirmed(FilterState s, double innovation) {
+    return MotionHeading.refutes(s.motion, 0.0) && !MotionHeading.refutes(s.motion, innovation);
   }
 
   /**

@@ -29,7 +29,8 @@ final class SourceTrust {
   static final int RATES_MICROS = KEPT + Measurement.SIZE; // time of the newest angular rates
   static final int RATES = RATES_MICROS + 1; // newest angular rates: three
   static final int RELEASED = RATES + 3; // specific force at the reference point: three
-  private static final int SOURCE_SIZE = RELEASED + 3;
+  static final int CHANGE = RELEASED + 3; // of both since the message before: six
+  private static final int SOURCE_SIZE = CHANGE + 6;
 
   // Numbers of a quantity of a source.
   static final int FACTOR = 0; // actual over claimed variance, unbounded estimate

@@ -10,7 +10,7 @@ import java.util.Arrays;
  * the estimate against them, but not what has been learnt.
  *
  * <p>The acceleration's own error (tilt, bias) and a drift of the gyroscopes limit how long a
- * manoeuvre counts: after half a minute of steady flight the heading is unknown again.
+ * manoeuvre counts: after ten seconds of steady flight the heading is unknown again.
  */
 public final class MotionHeading {
   /** Numbers in the array. */
@@ -27,14 +27,13 @@ public final class MotionHeading {
 
   private static final double ACCELERATION_NOISE =
       0.15; // m/s per √s, e.g. a few seconds of 0.5° of tilt
-  private static final double TURN_NOISE = 0.03; // rad per √s
+  private static final double TURN_NOISE =
+      0.04; // rad per √s, e.g. a step of the gyroscopes' bias of 0.04 rad/s
   private static final double MIN_SIGMA_MPS = 0.1;
   private static final double SILENT_S = 3.0; // after this another source may be used
   private static final double MAX_SIGMA_RAD = 0.15;
   private static final double SCALE = 0.1; // error of the forces' scale
   private static final double MISLED_RAD = 0.12;
-  private static final double LOST_RAD = 0.5;
-  private static final double CERTAIN = 5.0; // standard deviations
   private static final double UNLIKELY = 3.0; // standard deviations
 
   private MotionHeading() {}
@@ -122,11 +121,6 @@ public final class MotionHeading {
   public static boolean refutes(double[] x, double apartRad) {
     double error = Math.IEEEremainder(errorRad(x) - apartRad, 2.0 * Math.PI);
     return isKnown(x) && Math.abs(error) > Math.max(MISLED_RAD, UNLIKELY * sigmaRad(x));
-  }
-
-  /** Whether the estimate's heading is so wrong that its velocity cannot be right either. */
-  public static boolean misleads(double[] x) {
-    return isKnown(x) && Math.abs(errorRad(x)) > Math.max(LOST_RAD, CERTAIN * sigmaRad(x));
   }
 
   /** Correction that the estimate's heading needs, clockwise [rad], −π to π. */

@@ -41,7 +41,7 @@ class WrongHeadingsTest {
     SimulatedMotion motion = new SimulatedMotion(seed);
     double[] none = new double[6];
     for (int i = 1; i <= 8_000; i++) {
-      motion.fly(0.5, 0.1);
+      motion.fly(1.0, 0.1);
       double t = motion.micros * 1e-6;
       double wrong = t >= fromS && t < toS ? Math.toRadians(wrongDeg) : 0.0;
       motion.imu(m, "IMU", none, 0.003, 0.05);
