@@ -65,6 +65,8 @@ public abstract class ControlSystem extends EventDrivenService {
       new HashMap<>(); // newest point whose state is stored
   private double stepS;
   private long heardStateMicros = Long.MIN_VALUE; // by the run's clock
+  private long controlledMicros = Long.MIN_VALUE; // by the run's clock
+  private double neutralS;
   private boolean isExpiryReported;
   private boolean isStateless; // states are origins, one per navigation point
 
@@ -202,6 +204,11 @@ public abstract class ControlSystem extends EventDrivenService {
     }
     stepS = Clock.seconds(states.lastStepMicros());
     warnOfExpiry();
+    long now = clock().micros();
+    double pauseS =
+        controlledMicros == Long.MIN_VALUE ? 0.0 : Clock.seconds(now - controlledMicros);
+    neutralS = Math.max(0.0, pauseS - limits.get().commandExpiry());
+    controlledMicros = now;
     points.values().stream()
         .filter(point -> stateOf(point).isPresent())
         .forEach(point -> placed.put(point.subsystem(), point));
@@ -229,6 +236,14 @@ public abstract class ControlSystem extends EventDrivenService {
    */
   protected final double stepS() {
     return stepS;
+  }
+
+  /**
+   * How long the actuators had been neutral at the current state because the previous commands had
+   * expired [s]; 0 if they had not. The vehicle has not moved as commanded since.
+   */
+  protected final double neutralS() {
+    return neutralS;
   }
 
   /**

@@ -123,7 +123,7 @@ public class PathPlanner extends EventDrivenService {
                     () -> seeing.get().drifts()),
                 new SearchAreaState(
                     avoidance, guidance, survey, seeing, this::lines, new SurveyHeights(terrain)),
-                new TakeOffState(this::lines, flight),
+                new TakeOffState(this::lines, flight, this::isAeroplane),
                 new LandingState(detour, this::lines, circle, flight),
                 new PayloadDropState(detour, this::lines, flight, releases)));
     states.discover(this, new PlannerSurroundings(avoidance, this::missionS));

@@ -212,7 +212,7 @@ final class StationCircle {
   private void count(Station station, Vehicle vehicle) {
     double now = circle.bearingRad(vehicle);
     double downM = vehicle.nedOf(circle.at(now)).z();
-    double tolerance = station.verticalThreshold().orElse(settings.get().takeOffAccuracy());
+    double tolerance = station.verticalThreshold().orElse(settings.get().takeOffAccuracyM(true));
     if (sinceMicros != Long.MIN_VALUE) {
       double turned = circle.sense() * Leg.wrapped(now - bearingRad);
       turnedRad += Double.isNaN(turned) ? 0.0 : turned;

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
@@ -29,14 +30,19 @@ final class TakeOffState implements PlannerState {
 
   private final Supplier<LineSettings> lines;
   private final Supplier<FlightVariables> settings;
+  private final BooleanSupplier isAeroplane;
   private Optional<Place> from = Optional.empty();
   private double headingRad;
   private double highestM; // above the start
   private long climbedMicros; // when it came there, or last stood
 
-  TakeOffState(Supplier<LineSettings> lines, Supplier<FlightVariables> settings) {
+  TakeOffState(
+      Supplier<LineSettings> lines,
+      Supplier<FlightVariables> settings,
+      BooleanSupplier isAeroplane) {
     this.lines = lines;
     this.settings = settings;
+    this.isAeroplane = isAeroplane;
   }
 
   @Override
@@ -96,7 +102,8 @@ final class TakeOffState implements PlannerState {
     NavigationPoint point = NavigationPoint.at(vehicle.body(ned));
     goal.speed().ifPresent(point::speed);
     List<NavigationPoint> points = List.of(point);
-    if (-downM > goal.verticalThreshold().orElse(settings.get().takeOffAccuracy())) {
+    double accuracyM = settings.get().takeOffAccuracyM(isAeroplane.getAsBoolean());
+    if (-downM > goal.verticalThreshold().orElse(accuracyM)) {
       return Plan.unless(stopsClimbing(vehicle, start.z()), points);
     }
     String remark = String.format(Locale.ROOT, "in the air, %.1f m above it", downM);

@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.Waypoint;
 
 /**
@@ -55,13 +56,15 @@ final class WaypointAccuracy {
   }
 
   /**
-   * Warning if a waypoint's threshold is too small for the accuracy; otherwise empty.
+   * Warning if a waypoint's threshold is too small for the accuracy; otherwise empty, as for one of
+   * altitude alone.
    *
    * @param goal goal with the threshold in effect
    */
   static Optional<String> remark(GoalInformation goal, StateInformation state) {
     double sigma = sigmaM(state).orElse(0.0);
     if (!(goal instanceof Waypoint waypoint)
+        || isOfAltitudeAlone(waypoint)
         || waypoint.horizontalThreshold() >= SURE_SIGMAS * sigma) {
       return Optional.empty();
     }
@@ -78,5 +81,10 @@ final class WaypointAccuracy {
             waypoint.horizontalThreshold(),
             FULL_PERCENT * -Math.expm1(-0.5 * ratio * ratio),
             SURE_SIGMAS * sigma));
+  }
+
+  /** Whether it has no horizontal position; a station without one is where the vehicle was. */
+  private static boolean isOfAltitudeAlone(Waypoint waypoint) {
+    return !(waypoint instanceof Station) && waypoint.x().isEmpty() && waypoint.y().isEmpty();
   }
 }

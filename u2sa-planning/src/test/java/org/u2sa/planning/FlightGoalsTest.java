@@ -45,6 +45,18 @@ class FlightGoalsTest extends FlownGoals {
 
     assertThat(reports().get(0).completed()).isTrue();
     assertThat(Math.hypot(ned.x(), ned.y())).isLessThan(0.1);
+    assertThat(ned.z()).as("near the altitude").isLessThan(-19.4);
+  }
+
+  @Test
+  void takeOff_multirotorWithTakeOffAccuracy_isCompletedWithinIt() {
+    kit.with("TAKE OFF ACCURACY", 2.0).start(PathPlanner::new);
+    pursue(new TakeOff().z(-20.0));
+    for (int i = 0; i < 300 && reports().isEmpty(); i++) {
+      step(1.0);
+    }
+
+    assertThat(ned.z()).isBetween(-18.6, -17.9);
   }
 
   @Test

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.Waypoint;
 
@@ -47,6 +48,17 @@ class WaypointAccuracyTest extends PlannedVehicle {
     kit.publish(Channels.STATE, known(0, 0.02));
 
     assertThat(kit.log("PathPlanner")).noneMatch(line -> line.contains("WARN"));
+  }
+
+  @Test
+  void goals_waypointOfAltitudeAlone_hasNoHorizontalThresholdToMention() {
+    kit.start(PathPlanner::new);
+    Waypoint up = new Waypoint().uid("up").referenceFrame(ReferenceFrame.LOCAL_NED).z(-3.0);
+    goals(up.horizontalThreshold(0.5).verticalThreshold(0.3));
+
+    kit.publish(Channels.STATE, known(0, 2.8).z(0.0));
+
+    assertThat(kit.log("PathPlanner")).noneMatch(line -> line.contains("may be missed"));
   }
 
   @Test

@@ -94,6 +94,11 @@ public final class AckermannPursuitControl extends GroundControl {
   }
 
   @Override
+  void coasted(double seconds) {
+    pursuit.coasted(seconds);
+  }
+
+  @Override
   void drive(StateInformation state, Optional<GroundTarget> target, Measured measured) {
     PursuitControl.Demand demand = pursuit.step(target, measured, stepS());
     OptionalDouble alongPath =

@@ -91,6 +91,11 @@ public final class DifferentialPursuitControl extends GroundControl {
   }
 
   @Override
+  void coasted(double seconds) {
+    pursuit.coasted(seconds);
+  }
+
+  @Override
   void drive(StateInformation state, Optional<GroundTarget> target, Measured measured) {
     PursuitControl.Demand demand = pursuit.step(target, measured, stepS());
     pursuit

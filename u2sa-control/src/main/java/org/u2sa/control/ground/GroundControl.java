@@ -62,8 +62,14 @@ abstract class GroundControl extends ControlSystem {
     if (hand.isActive() && now - saidMicros >= Clock.MICROS_PER_SECOND) {
       publishHand(hand.state()); // for a Mission Manager that starts during the drive
     }
+    if (neutralS() > 0.0) {
+      coasted(neutralS());
+    }
     drive(state, hand.isActive() ? wanted() : target(state, point), measured(state));
   }
+
+  /** Sees that the motors have been neutral for a time [s]: the vehicle slows down. */
+  void coasted(double seconds) {}
 
   @Override
   protected final Map<String, Double> neutral() {
@@ -84,20 +90,21 @@ abstract class GroundControl extends ControlSystem {
   }
 
   /**
-   * Target; empty to stop. A motor announced as lost also stops the vehicle, which would otherwise
-   * lurch when the motor returns, or rest as if stalled.
+   * Target; empty to stop. A motor announced as lost, or disarming, also stops the vehicle, which
+   * would otherwise lurch when the motor obeys again, or rest as if stalled.
    */
   private Optional<GroundTarget> target(StateInformation now, Optional<NavigationPoint> point) {
     Optional<StateInformation> then = point.flatMap(this::stateOf);
     Optional<Point> ned = point.flatMap(this::nedOf);
-    boolean stands = isPowerless() || hand.isHeld(clock().micros());
+    boolean stands = !armed || isPowerless() || hand.isHeld(clock().micros());
     Optional<GroundTarget> target =
         then.isEmpty() || ned.isEmpty() || stands
             ? Optional.empty()
             : GroundTarget.seenFrom(then.get(), ned.get(), now, point.orElseThrow());
     if (target.isPresent() != navigating) {
       navigating = target.isPresent();
-      log(navigating ? "driving" : "no navigation: stopped");
+      String why = armed ? "no navigation" : "disarmed";
+      log(navigating ? "driving" : why + ": stopped");
     }
     return target;
   }
@@ -199,7 +206,8 @@ abstract class GroundControl extends ControlSystem {
   private Measured measured(StateInformation state) {
     Measured measured = new Measured(forwardMps(state), yawRateRadPerS(state, stepS()));
     headingRad = state.psi();
-    return armed && !isStateless() ? measured : Measured.NOTHING;
+    boolean obey = armed && neutralS() == 0.0;
+    return obey && !isStateless() ? measured : Measured.NOTHING;
   }
 
   private static OptionalDouble forwardMps(StateInformation state) {

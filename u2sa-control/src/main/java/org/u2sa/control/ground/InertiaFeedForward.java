@@ -11,6 +11,11 @@ final class InertiaFeedForward {
 
   private double smooth = Double.NaN; // NaN before the first step, which may be on the move
 
+  /** Starts from a steady speed or yaw rate. */
+  void startFrom(double steady) {
+    smooth = steady;
+  }
+
   /**
    * Computes the addition to a wanted speed or yaw rate.
    *

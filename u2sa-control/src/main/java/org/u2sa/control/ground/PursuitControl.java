@@ -11,6 +11,8 @@ import org.u2sa.service.handover.HandOver;
  * the measured motion, and rests stalled motors. Not thread-safe.
  */
 final class PursuitControl {
+  private static final double MIN_RESPONSE_S = 1.0e-3;
+
   private final Supplier<PursuitVariables> tuning;
   private final PursuitLaw law;
   private final SpeedTrim speedTrim = new SpeedTrim();
@@ -37,6 +39,18 @@ final class PursuitControl {
    * @param yawErrorRadPerS wanted minus measured yaw rate; empty if unknown
    */
   record Demand(Drive drive, double moreMps, OptionalDouble yawErrorRadPerS) {}
+
+  /**
+   * Continues from the motion left after the motors have been neutral for a time [s]. Otherwise the
+   * vehicle would lurch, and feedback would take its standstill for a load.
+   */
+  void coasted(double seconds) {
+    double left = Math.exp(-seconds / Math.max(MIN_RESPONSE_S, tuning.get().responseTime()));
+    due = new Drive(left * due.speedMps(), left * due.yawRateRadPerS());
+    law.startFrom(due);
+    speedTrim.scale(left);
+    inertia.startFrom(due.speedMps());
+  }
 
   /** Computes the demand after a state. */
   Demand step(Optional<GroundTarget> target, GroundControl.Measured measured, double stepS) {

@@ -19,6 +19,11 @@ final class SpeedTrim {
     direction = state.number(NAME + " DIRECTION", direction);
   }
 
+  /** Keeps a fraction of the trim, 0…1. */
+  void scale(double fraction) {
+    trim *= fraction;
+  }
+
   /**
    * Computes the addition to the demand.
    *

@@ -19,6 +19,7 @@ import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.mission.MissionManager;
 import org.u2sa.planning.PathPlanner;
 import org.u2sa.service.ServiceContext;
@@ -128,6 +129,25 @@ final class RoverDrive implements AutoCloseable {
       kit.advance(STEP_S);
     }
     return done.getAsBoolean();
+  }
+
+  /** Nothing runs for a time; its motors stop. */
+  void freeze(double seconds) {
+    for (double end = kit.nowS() + seconds; kit.nowS() < end; ) {
+      rover.step(STEP_S, motor -> 0.0);
+      kit.advance(STEP_S);
+    }
+  }
+
+  /** Runs for a time in which the motors do not obey. */
+  void disarmed(double seconds) {
+    kit.publish(Channels.ARMING_STATE, new ArmingState().armed(false));
+    for (double end = kit.nowS() + seconds; kit.nowS() < end; ) {
+      kit.publish(Channels.SENSED_STATE, rover.measured());
+      rover.step(STEP_S, motor -> 0.0);
+      kit.advance(STEP_S);
+    }
+    kit.publish(Channels.ARMING_STATE, new ArmingState().armed(true));
   }
 
   double percent(String actuator) {

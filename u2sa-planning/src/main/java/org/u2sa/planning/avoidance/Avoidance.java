@@ -228,7 +228,8 @@ public final class Avoidance {
     world.update(state, at.x(), at.y(), at.z(), at.z() + way.z());
     CostGrid costs = world.costs();
     double touchM = now.touchM(costs.frame().cellM());
-    return new SurfaceRoom(costs, body(now), at, vehicle.headingRad(), way, touchM);
+    double turnRadiusM = Situation.turnRadiusM(now, lines.get(), vehicle.speedMps());
+    return new SurfaceRoom(costs, body(now), at, vehicle.headingRad(), way, touchM, turnRadiusM);
   }
 
   private Optional<String> blocker(Vehicle vehicle, StateInformation state, Point way) {

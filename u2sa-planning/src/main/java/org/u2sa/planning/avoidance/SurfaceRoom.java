@@ -1,21 +1,30 @@
 package org.u2sa.planning.avoidance;
 
 import org.u2sa.messages.frame.Point;
+import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.search.BodyDiscs;
 import org.u2sa.planning.search.CostGrid;
 
 /**
- * Room that a ground vehicle, boat or submarine has to move straight or turn where it is, without a
- * route. Immutable; valid until the world changes.
+ * Room that a ground vehicle, boat or submarine has to move without a route: straight or turning
+ * where it is, or, if it cannot turn in place, on the arc to a point. Immutable; valid until the
+ * world changes.
  *
  * @param grid distances from what stands, on the planning plane
  * @param at vehicle on the planning plane [m]
  * @param headingRad its heading
  * @param way north and east to where it would move [m]
  * @param touchM clearance that it keeps from what stands [m]
+ * @param turnRadiusM its minimum turn radius [m]; 0 if it turns in place
  */
 public record SurfaceRoom(
-    CostGrid grid, BodyDiscs body, Point at, double headingRad, Point way, double touchM) {
+    CostGrid grid,
+    BodyDiscs body,
+    Point at,
+    double headingRad,
+    Point way,
+    double touchM,
+    double turnRadiusM) {
   private static final double ROUNDING_M = 1.0e-6;
   private static final double REACH_M = 300.0; // a way is checked so far ahead
   private static final double SOON_M = 1.0; // in which a vehicle that berths stops
@@ -23,12 +32,14 @@ public record SurfaceRoom(
 
   /**
    * Whether the way leads too close to what stands, and closer than the vehicle is; always if it
-   * touches something already.
+   * touches something already. A vehicle that cannot turn in place circles to a point beside or
+   * behind it.
    */
   public boolean isOccupied() {
     double leastM = Math.max(0.0, Math.min(touchM, hereM() - ROUNDING_M));
     return isCloser(REACH_M, headingRad, leastM)
-        || isCloser(REACH_M, Math.atan2(way.y(), way.x()), leastM);
+        || isCloser(REACH_M, Math.atan2(way.y(), way.x()), leastM)
+        || turnRadiusM > 0.0 && isCloserOnArc(leastM);
   }
 
   /**
@@ -69,6 +80,24 @@ public record SurfaceRoom(
       double share = i / steps * Math.min(1.0, reachM / lengthM);
       Point place = Point.of(at.x() + share * way.x(), at.y() + share * way.y(), at.z());
       if (clearanceM(place, heading) < limitM) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Whether the clearance falls below a limit on the arc, at most a full circle longer. */
+  private boolean isCloserOnArc(double limitM) {
+    double north = at.x() + way.x();
+    double east = at.y() + way.y();
+    double stepM = grid.frame().cellM();
+    double reachM = Math.min(Math.hypot(way.x(), way.y()), REACH_M) + 2.0 * Math.PI * turnRadiusM;
+    Pose pose = new Pose(at.x(), at.y(), headingRad);
+    double goneM = 0.0;
+    while (goneM < reachM && pose.distanceM(north, east) > stepM) {
+      goneM += stepM;
+      pose = pose.along(stepM, pose.curvatureTo(north, east, 1.0 / turnRadiusM, false));
+      if (body.clearanceM(grid, pose.northM(), pose.eastM(), pose.headingRad()) < limitM) {
         return true;
       }
     }

@@ -24,6 +24,27 @@ public record Pose(double northM, double eastM, double headingRad) {
         wrapped(after));
   }
 
+  /**
+   * Curvature of the arc to a point, tangent to the heading [1/m], right positive; the tightest if
+   * the point is on the wrong side (Coulter, CMU-RI-TR-92-01: 2 y / L²).
+   *
+   * @param tightest maximum curvature [1/m]
+   * @param backwards whether it reverses to the point
+   */
+  public double curvatureTo(double north, double east, double tightest, boolean backwards) {
+    double dn = north - northM;
+    double de = east - eastM;
+    double right = de * Math.cos(headingRad) - dn * Math.sin(headingRad);
+    double ahead = dn * Math.cos(headingRad) + de * Math.sin(headingRad);
+    double square = dn * dn + de * de;
+    if (square < 1.0e-6) {
+      return 0.0;
+    }
+    boolean wrongSide = backwards ? ahead > 0.0 : ahead < 0.0;
+    double wanted = wrongSide ? Math.copySign(tightest, right) : 2.0 * right / square;
+    return Math.max(-tightest, Math.min(tightest, wanted));
+  }
+
   /** Another pose relative to this one: x ahead, y to the right, relative heading. */
   Pose relative(Pose other) {
     double north = other.northM - northM;

@@ -5,9 +5,9 @@ import org.u2sa.interfaces.configuration.Variable;
 
 /** Variables of take-off, landing and drops. */
 public record FlightVariables(
-    @Variable(unit = "m", min = 0.1, max = 100, ifAbsent = 3)
+    @Variable(unit = "m", min = 0, max = 100, ifAbsent = 0)
         @Description(
-            "Altitude difference within which a take-off without verticalThreshold is completed.")
+            "Altitude difference within which a take-off without verticalThreshold is completed. 0: 3 m for an aeroplane, 0.5 m for a multirotor.")
         double takeOffAccuracy,
     @Variable(unit = "m", min = 10, max = 10000, ifAbsent = 600)
         @Description("Length of the straight descent if a landing does not specify it.")
@@ -32,4 +32,13 @@ public record FlightVariables(
         double touchDownSink,
     @Variable(unit = "s", min = 0, max = 5, ifAbsent = 0.1)
         @Description("Delay from the decision to drop a payload until it falls.")
-        double releaseDelay) {}
+        double releaseDelay) {
+  private static final double AEROPLANE_ACCURACY_M = 3.0;
+  private static final double HOVER_ACCURACY_M = 0.5;
+
+  /** {@link #takeOffAccuracy}, or its default for that kind of aircraft [m]. */
+  public double takeOffAccuracyM(boolean isAeroplane) {
+    double usualM = isAeroplane ? AEROPLANE_ACCURACY_M : HOVER_ACCURACY_M;
+    return takeOffAccuracy > 0.0 ? takeOffAccuracy : usualM;
+  }
+}

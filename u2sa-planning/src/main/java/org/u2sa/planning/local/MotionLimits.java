@@ -48,20 +48,10 @@ public record MotionLimits(
 
   /**
    * Curvature of the arc to a point, tangent to the heading [1/m], right positive, and no tighter
-   * than {@link #tightest()} (Coulter, CMU-RI-TR-92-01: 2 y / L²).
+   * than {@link #tightest()}.
    */
   double curvatureTo(Pose from, double north, double east, boolean backwards) {
-    double dn = north - from.northM();
-    double de = east - from.eastM();
-    double right = de * Math.cos(from.headingRad()) - dn * Math.sin(from.headingRad());
-    double ahead = dn * Math.cos(from.headingRad()) + de * Math.sin(from.headingRad());
-    double square = dn * dn + de * de;
-    if (square < 1.0e-6) {
-      return 0.0;
-    }
-    boolean wrongSide = backwards ? ahead > 0.0 : ahead < 0.0;
-    double wanted = wrongSide ? Math.copySign(tightest(), right) : 2.0 * right / square;
-    return Math.max(-tightest(), Math.min(tightest(), wanted));
+    return from.curvatureTo(north, east, tightest(), backwards);
   }
 
   /**

@@ -104,7 +104,7 @@ class HotSwapGapTest {
       operator.start();
       assertThat(clock.runUntil(() -> observer.reached.size() >= waypoints, Clock.micros(LIMIT_S)))
           .isTrue();
-      assertThat(operator.refusal()).isEmpty();
+      assertThat(operator.refusals()).isEmpty();
       operator.kill();
       observer.kill();
       return observer;

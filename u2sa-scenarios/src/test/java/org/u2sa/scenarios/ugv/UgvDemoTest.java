@@ -106,6 +106,27 @@ class UgvDemoTest {
   }
 
   @Test
+  void demo_swapRefusedWhileDriving_isAViolationAmongTheResults() {
+    String mission = OneWaypoint.in(directory).toString();
+    CommandLineRun run =
+        drive(
+            "out",
+            "--seed",
+            "7",
+            "--mission",
+            mission,
+            "--swap",
+            "5:Control=org.u2sa.control.fixedwing.CessnaControl");
+
+    assertThat(run.exitCode()).isEqualTo(ExitCode.FAILED);
+    assertThat(run.track()).isNotEmpty();
+    JsonNode summary = run.summary();
+    assertThat(summary.get("goalsCompleted").asInt()).isEqualTo(1);
+    assertThat(summary.get("violationDetails").get(0).asText())
+        .contains("5.0 s: Control not swapped");
+  }
+
+  @Test
   void demo_proportionalControlOfAckermannVehicle_isRefused() {
     CommandLineRun run = drive("out", "--vehicle", "ackermann", "--control", "proportional");
 

@@ -151,7 +151,7 @@ record DemoRun(
         observer.service().kill();
       }
       refuseFailed(running);
-      refuseUnswapped(operator);
+      operator.ifPresent(SwapOperator::tellMissed);
       Set<String> pursued = observer.record().goals(goals);
       int completed = observer.record().completed(goals).size();
       if (completed < pursued.size()) {
@@ -170,8 +170,12 @@ record DemoRun(
               safety.interventions()),
           fenced(observer.record().plan(), running),
           observer.record().track(),
-          outcome(observer));
+          outcome(observer).breaking(refusals(operator)));
     }
+  }
+
+  private static List<String> refusals(Optional<SwapOperator> operator) {
+    return operator.map(SwapOperator::refusals).orElse(List.of());
   }
 
   /** The observer's outcome, plus the numbers of waypoints moved and omitted for others. */
@@ -244,16 +248,6 @@ record DemoRun(
             screen::print);
     operator.start();
     return Optional.of(operator);
-  }
-
-  private static void refuseUnswapped(Optional<SwapOperator> operator) {
-    operator
-        .flatMap(SwapOperator::refusal)
-        .ifPresent(
-            refusal -> {
-              throw new RunFailedException(refusal);
-            });
-    operator.ifPresent(SwapOperator::tellMissed);
   }
 
   private void refuseFailed(RunningSystem running) {

@@ -3,9 +3,9 @@ package org.u2sa.trials.run;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -30,7 +30,7 @@ public final class SwapOperator extends PeriodicService {
       new ConcurrentLinkedQueue<>(); // read by other threads after the end
   private final Consumer<String> console;
   private final double beganS;
-  private volatile Optional<String> refusal = Optional.empty();
+  private final List<String> refusals = new CopyOnWriteArrayList<>(); // as due
 
   /**
    * @param console receives one line per swap with its result
@@ -71,7 +71,7 @@ public final class SwapOperator extends PeriodicService {
               result.accepted() ? "swapped" : "not swapped: " + result.reason());
       console.accept(what);
       if (!result.accepted()) {
-        refusal = Optional.of(what);
+        refusals.add(what);
       }
     }
   }
@@ -86,9 +86,9 @@ public final class SwapOperator extends PeriodicService {
     }
   }
 
-  /** The last rejected swap and the reason. */
-  public Optional<String> refusal() {
-    return refusal;
+  /** The rejected swaps and the reasons. */
+  public List<String> refusals() {
+    return List.copyOf(refusals);
   }
 
   /**
