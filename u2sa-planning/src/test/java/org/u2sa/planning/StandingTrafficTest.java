@@ -24,6 +24,8 @@ class StandingTrafficTest extends PlannedVehicle {
   private Point at = Point.of(0.0, 0.0, -UP_M);
   private Point velocity = Point.ORIGIN;
   private double nearestM = Double.POSITIVE_INFINITY;
+  private double trafficUpM = UP_M;
+  private double trafficDownMps; // as measured
 
   @BeforeEach
   void start() {
@@ -41,8 +43,8 @@ class StandingTrafficTest extends PlannedVehicle {
     kit.advance(STEP_S);
     MovingSphere other = new MovingSphere().radius(SEPARATION_M);
     other.uid("drone").objectType("drone").referenceFrame(ReferenceFrame.LOCAL_NED);
-    other.x(trafficNorthM).y(trafficEastM).z(-UP_M);
-    other.motion().velocity(Point.of(0.0, eastMps, 0.0));
+    other.x(trafficNorthM).y(trafficEastM).z(-trafficUpM);
+    other.motion().velocity(Point.of(0.0, eastMps, trafficDownMps));
     kit.publish(Channels.OBJECTS, new ObjectList().objects(List.of(other)));
     kit.publish(
         Channels.STATE,
@@ -64,7 +66,7 @@ class StandingTrafficTest extends PlannedVehicle {
                 })
             .orElse(Point.ORIGIN);
     at = at.plus(velocity.times(STEP_S));
-    Point apart = at.minus(Point.of(trafficNorthM, trafficEastM, -UP_M));
+    Point apart = at.minus(Point.of(trafficNorthM, trafficEastM, -trafficUpM));
     nearestM = Math.min(nearestM, Math.sqrt(apart.dot(apart)));
   }
 
@@ -92,6 +94,21 @@ class StandingTrafficTest extends PlannedVehicle {
       step(60.0, eastM, eastM < 0.0 ? 5.0 : 0.0);
     }
     assertThat(report().completed()).isTrue();
+    assertThat(nearestM).isGreaterThan(SEPARATION_M);
+  }
+
+  /** It descends through the vehicle's altitude, stops, and seems to descend for 8 s longer. */
+  @ParameterizedTest
+  @CsvSource({"10, 4", "12, -6", "14, 0"})
+  void waypoint_trafficStopsDescendingBelow_isNotFlownOver(double belowM, double trafficEastM) {
+    goals(waypoint("1", 60.0, 0.0).z(-UP_M));
+    while (kit.nowS() < 90.0 && kit.latest(Channels.GOAL_REPORTS).isEmpty()) {
+      double wayM = 1.7 * kit.nowS();
+      trafficUpM = Math.max(UP_M - belowM, UP_M + 15.0 - wayM);
+      double sinceS = kit.nowS() - (15.0 + belowM) / 1.7;
+      trafficDownMps = sinceS < 0.0 ? 1.7 : sinceS < 8.0 ? 1.7 - 0.1 * sinceS : 0.0;
+      step(64.0, trafficEastM, 0.0);
+    }
     assertThat(nearestM).isGreaterThan(SEPARATION_M);
   }
 }

@@ -281,7 +281,7 @@ public final class Avoidance {
       before = choice;
       Wanted here =
           new Wanted("", vehicle.place(), 0.0, OptionalDouble.empty(), OptionalDouble.empty());
-      Step step = step(choice.get(), at, way, here, Optional.empty());
+      Step step = step(choice.get(), vehicle, at, way, here, Optional.empty());
       point.point(vehicle.body(step.ned())).speed(step.speedMps()).backwards(step.backwards());
     }
     return choice.isPresent();
@@ -391,7 +391,7 @@ public final class Avoidance {
     Point at = vehicle.on(plane);
     Point toGoal = vehicle.nedOf(wanted.target());
     if (held.isPresent() && held.get().isFor(wanted, micros)) {
-      return step(held.get().choice(), at, toGoal, wanted, Optional.empty());
+      return step(held.get().choice(), vehicle, at, toGoal, wanted, Optional.empty());
     }
     GoalAttempt current = attempt.orElseGet(() -> new GoalAttempt(routes, passages, say, micros));
     attempt = Optional.of(current);
@@ -418,17 +418,23 @@ public final class Avoidance {
     PathStatus status = PathNews.status(choice, givenUp, current.hasRecovered(), routes);
     announce(status, givenUp, wanted, at);
     held = now.stops() ? Optional.empty() : Optional.of(new HeldChoice(choice, wanted, micros));
-    return step(choice, at, toGoal, wanted, givenUp);
+    return step(choice, vehicle, at, toGoal, wanted, givenUp);
   }
 
   private Step step(
-      ArcChoice choice, Point at, Point toGoal, Wanted wanted, Optional<String> givenUp) {
+      ArcChoice choice,
+      Vehicle vehicle,
+      Point at,
+      Point toGoal,
+      Wanted wanted,
+      Optional<String> givenUp) {
     AvoidanceVariables now = settings.get();
+    double downM = Double.isNaN(choice.toDownM()) ? toGoal.z() : choice.toDownM() - at.z();
     return new Step(
         Point.of(
             choice.northM() - at.x(),
             choice.eastM() - at.y(),
-            Double.isNaN(choice.toDownM()) ? toGoal.z() : choice.toDownM() - at.z()),
+            now.stops() ? climbing.inside(plane, at.z(), vehicle.downMps(), downM) : downM),
         now.stops() ? choice.speedMps() : Situation.wantedMps(wanted, now),
         choice.backwards(),
         givenUp);

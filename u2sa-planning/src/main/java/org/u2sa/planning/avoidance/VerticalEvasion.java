@@ -23,6 +23,9 @@ import org.u2sa.planning.seen.SeenWorld;
 final class VerticalEvasion {
   private static final double LOW_M = 1.0; // height above known ground, to which it may descend
   private static final double SAME_M = 1.0; // deviations below this count as level
+  private static final double LEVELS_MPS2 = 0.8; // as the Safety Manager assumes by default
+  private static final double REACTION_S = 1.0; // likewise
+  private static final double LEVELS_SHARE = 1.3; // of the way to level off, for delays
   private static final long LASTS_MICROS = 10 * Clock.MICROS_PER_SECOND;
 
   private final GroundMap ground;
@@ -104,6 +107,29 @@ final class VerticalEvasion {
             world.shapesElsewhere(),
             groundOrBeyond,
             direction));
+  }
+
+  /**
+   * Part of a climb or descent that leaves room to level off inside the fence in force: the Safety
+   * Manager acts when an aircraft climbs too fast towards its ceiling.
+   *
+   * @param downM altitude of the vehicle, down coordinate on the plane [m]
+   * @param downMps its velocity [m/s]
+   * @param wayM wanted climb or descent, down [m]
+   */
+  double inside(PlanningPlane plane, double downM, double downMps, double wayM) {
+    OptionalDouble limit =
+        fence
+            .map(wayM < 0.0 ? FenceState::highest : FenceState::lowest)
+            .orElse(OptionalDouble.empty());
+    double sign = Math.signum(wayM);
+    double leftM = limit.isEmpty() ? 0.0 : sign * (downM(plane, limit.getAsDouble()) - downM);
+    if (leftM <= 0.0) {
+      return wayM; // without a limit, or already beyond it
+    }
+    double mps = Math.max(0.0, sign * downMps);
+    double levelsM = LEVELS_SHARE * (mps * REACTION_S + mps * mps / (2.0 * LEVELS_MPS2));
+    return sign * Math.min(sign * wayM, Math.max(0.0, leftM - levelsM));
   }
 
   private double groundDownM(PlanningPlane plane, double north, double east, Optional<Point> spot) {

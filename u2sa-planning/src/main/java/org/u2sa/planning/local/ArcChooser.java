@@ -32,6 +32,7 @@ public final class ArcChooser {
   private final MotionForecast forecast;
   private final Evasion evasion;
   private final TurnRoom turnRoom;
+  private final Optional<VerticalRoom> room;
   private final Optional<SteeredChoice> drifting; // drift of a boat carried by wind and current
 
   /**
@@ -58,6 +59,7 @@ public final class ArcChooser {
     this.limits = limits;
     this.pose = pose;
     this.speedMps = speedMps;
+    this.room = room;
     boolean makesRoom =
         before.filter(choice -> choice.kind() == ArcChoice.Kind.MAKE_ROOM).isPresent();
     turnRoom = new TurnRoom(costs, body, limits, pose, speedMps, makesRoom);
@@ -156,12 +158,29 @@ public final class ArcChooser {
     if (turnRoom.isTooNarrow()) {
       return makeRoom(ArcChoice.Kind.EVADE);
     }
-    if (forecast.standing(Double.NaN).meetsS() < limits.horizonS()) {
+    if (forecast.standing(Double.NaN).meetsS() < limits.horizonS()
+        || room.isPresent() && !isFreeAfterTurn(north, east, track)) {
       return evade(track);
     }
     return turnRoom.turnsAtOnce()
         ? new ArcChoice(north, east, limits.speedMps(), backwards, ArcChoice.Kind.FOLLOW)
         : stand(ArcChoice.Kind.EVADE);
+  }
+
+  /**
+   * Whether the way along the route is free of traffic after a turn towards it: an aircraft begins
+   * to move that way while it still turns.
+   */
+  private boolean isFreeAfterTurn(double north, double east, RouteTrack track) {
+    double speed = limits.speedMps();
+    Motion motion = Motion.turn(bearingRad(north, east), speed, pose.distanceM(north, east), track);
+    Outcome outcome = forecast.play(motion);
+    if (outcome.meetsS() >= limits.horizonS()) {
+      return true;
+    }
+    evasion.alsoConsider(
+        new ArcChoice(north, east, speed, false, ArcChoice.Kind.BRAKE), motion, outcome);
+    return false;
   }
 
   /** Moves to a position with room to turn; stops first if still rolling. */
@@ -262,7 +281,12 @@ public final class ArcChooser {
     if (!limits.turnsOnTheSpot() || backwards || pose.distanceM(north, east) < 1.0e-3) {
       return false;
     }
-    double bearing = Math.atan2(east - pose.eastM(), north - pose.northM()) - pose.headingRad();
-    return Math.abs(Pose.wrapped(bearing)) > MotionLimits.SPOT_TURN_RAD;
+    return Math.abs(bearingRad(north, east)) > MotionLimits.SPOT_TURN_RAD;
+  }
+
+  /** Bearing of a point from the heading, right positive [rad]. */
+  private double bearingRad(double north, double east) {
+    double course = Math.atan2(east - pose.eastM(), north - pose.northM());
+    return Pose.wrapped(course - pose.headingRad());
   }
 }

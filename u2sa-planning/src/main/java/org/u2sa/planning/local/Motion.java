@@ -32,7 +32,12 @@ record Motion(
 
   /** Creates a turn in place followed by a straight line. */
   static Motion turn(double turnRad, double speedMps, double wayM) {
-    return new Motion(turnRad, 0.0, false, speedMps, wayM, NEVER, null, TO_GOAL);
+    return turn(turnRad, speedMps, wayM, null);
+  }
+
+  /** Creates a turn in place followed by a straight line to a route, and by the route. */
+  static Motion turn(double turnRad, double speedMps, double wayM, RouteTrack track) {
+    return new Motion(turnRad, 0.0, false, speedMps, wayM, NEVER, track, TO_GOAL);
   }
 
   /** Creates a forward arc followed by a route. */

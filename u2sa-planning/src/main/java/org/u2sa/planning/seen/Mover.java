@@ -33,6 +33,8 @@ public record Mover(
   /** Below this speed an object counts as stationary [m/s]. */
   private static final double STANDS_MPS = 0.05;
 
+  private static final double HOVERS_MPS = 1.0; // error of a velocity by satellite navigation
+
   private static final double CLIMBS_MPS = 0.5; // less may be an error of its altitude
 
   /**
@@ -74,6 +76,14 @@ public record Mover(
 
   boolean stands() {
     return Math.hypot(northMps, eastMps) < STANDS_MPS;
+  }
+
+  /**
+   * Whether it can be passed over, and may hover or climb and descend in place: it may stay where
+   * it is at any time, and its measured velocity shows that only seconds later.
+   */
+  boolean mayStay() {
+    return Math.hypot(northMps, eastMps) < HOVERS_MPS && heights.halfM < Double.POSITIVE_INFINITY;
   }
 
   /** Whether it climbs or descends, and can be passed over. */

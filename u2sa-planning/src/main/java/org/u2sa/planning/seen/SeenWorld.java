@@ -341,7 +341,8 @@ public final class SeenWorld {
       return possible;
     }
     memory.moves(mover);
-    return List.of(mover);
+    boolean mayStay = reading.get().heightMarginM() > 0.0 && mover.mayStay();
+    return mayStay ? List.of(mover, mover.moving(0.0, 0.0)) : List.of(mover);
   }
 
   private void readObjects(StateInformation state, Reading now, double northM, double eastM) {

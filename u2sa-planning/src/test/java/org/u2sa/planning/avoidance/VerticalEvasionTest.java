@@ -11,6 +11,8 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.interfaces.terrain.HeightGrid;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
@@ -96,6 +98,29 @@ class VerticalEvasionTest {
 
     assertThat(room().topDownM()).isEqualTo(-100.0);
     assertThat(room().bottomDownM()).isEqualTo(Double.POSITIVE_INFINITY);
+  }
+
+  /** The vehicle accelerates at 1 m/s² to its way per second, at most to 3 m/s. */
+  @ParameterizedTest
+  @CsvSource({"-1, 120, -115", "1, 30, -35", "-1, 120, -75"})
+  void inside_climbOrDescentTowardsALimit_canAlwaysLevelOffBeforeIt(
+      double sign, double limitM, double endDownM) {
+    FenceState fence = new FenceState();
+    evasion.see(sign < 0.0 ? fence.highest(limitM) : fence.lowest(limitM));
+    double downM = -75.0;
+    double mps = 0.0;
+    double leastM = Double.POSITIVE_INFINITY;
+    for (double t = 0.0; t < 60.0; t += 0.1) {
+      double way = evasion.inside(bench.world.plane(bench.state), downM, mps, endDownM - downM);
+      double wanted = Math.max(-3.0, Math.min(3.0, way));
+      mps += Math.max(-0.1, Math.min(0.1, wanted - mps));
+      downM += 0.1 * mps;
+      double towards = Math.max(0.0, sign * mps); // as the Safety Manager predicts
+      double overshootM = towards + towards * towards / (2.0 * 0.8);
+      leastM = Math.min(leastM, sign * (-limitM - downM) - overshootM);
+    }
+    assertThat(leastM).isNotNegative();
+    assertThat(downM).isCloseTo(endDownM, within(0.1));
   }
 
   /** 1 m above the ground, but only where it is known. */

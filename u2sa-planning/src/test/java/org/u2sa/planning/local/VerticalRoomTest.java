@@ -223,6 +223,33 @@ class VerticalRoomTest {
     assertThat(choice.toDownM()).isLessThan(HERE);
   }
 
+  /** An aircraft begins to move along its route while it still turns. */
+  @ParameterizedTest
+  @CsvSource({"-20, false", "20, true"})
+  void along_routeBehindIt_turnsOnlyIfTrafficLeavesItFree(double trafficNorthM, boolean turns) {
+    costs.update(i -> false, i -> false);
+    Mover.Heights below = new Mover.Heights(new double[] {HERE + 10.0}, 0.0, RADIUS);
+    double[] north = {trafficNorthM};
+    Mover hovers = new Mover("T", 0L, 0.0, north, new double[1], 0, 0, RADIUS, 0, 0, below);
+    ArcChooser arcs =
+        new ArcChooser(
+            costs,
+            BODY,
+            List.of(hovers),
+            limits(true),
+            ORIGIN,
+            0.0,
+            0L,
+            Optional.empty(),
+            Optional.of(room(HERE, HERE, UNKNOWN)),
+            Drift.NONE);
+    Route.Point from = new Route.Point(0.0, 0.0, false);
+    Route.Point to = new Route.Point(-280.0, 0.0, false);
+    ArcChoice choice = arcs.along(new RouteTrack(Route.of(List.of(from, to), 280.0)));
+
+    assertThat(choice.kind() == ArcChoice.Kind.FOLLOW).isEqualTo(turns);
+  }
+
   /** Level ground 20 m below, which rises to the right at a slope of 2:1. */
   private static VerticalRoom slope(double levelM) {
     return new VerticalRoom(
