@@ -37,9 +37,9 @@ final class Detour {
     return avoidance.guards(state);
   }
 
-  /** Whether a straight way of such an aircraft leads into something that stands. */
+  /** Whether a straight way of such an aircraft leads into something that stands, or the ground. */
   boolean isBlocked(Vehicle vehicle, StateInformation state, Place to) {
-    return avoidance.isBlocked(vehicle, state, to);
+    return avoidance.isBlocked(vehicle, state, to) || avoidance.isGroundBetween(vehicle, state, to);
   }
 
   /** Whether the straight way of a vehicle on a surface leads to something that stands or moves. */
@@ -70,8 +70,14 @@ final class Detour {
         || avoidance.room(vehicle, state, vehicle.place()).isEnoughToTurn(turnRad);
   }
 
-  /** Whether something blocks the straight way to a position. */
+  /** Whether something, or the ground, blocks the straight way to a position. */
   boolean isHindered(Vehicle vehicle, StateInformation state, Place to) {
+    return isObstructed(vehicle, state, to)
+        || avoidance.isOn() && avoidance.isGroundBetween(vehicle, state, to);
+  }
+
+  /** Likewise, of a way that leads to the ground. */
+  boolean isObstructed(Vehicle vehicle, StateInformation state, Place to) {
     return avoidance.isOn() && avoidance.isHindered(vehicle, state, to);
   }
 
@@ -97,7 +103,7 @@ final class Detour {
 
   /** The next step around an obstruction; empty if the straight way is free. */
   Optional<Plan> ifHindered(Vehicle vehicle, StateInformation state, Avoidance.Wanted wanted) {
-    boolean isHindered = avoidance.isOn() && avoidance.isHindered(vehicle, state, wanted.target());
+    boolean isHindered = isHindered(vehicle, state, wanted.target());
     if (isHindered != isTaken) {
       begin();
       isTaken = isHindered;

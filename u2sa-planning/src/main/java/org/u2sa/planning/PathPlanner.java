@@ -89,7 +89,9 @@ public class PathPlanner extends EventDrivenService {
     Settings<SurveyVariables> survey = settings(SurveyVariables.class);
     Optional<HeightGrid> terrain =
         HeightGrid.named(survey.get().terrain(), context.configuration()::resolve);
-    avoidance = new Avoidance(this, seeing, this::lines, remarks::say, terrain);
+    avoidance =
+        new Avoidance(
+            this, seeing, this::lines, remarks::say, terrain, () -> survey.get().surveyClimb());
     rightOfWay =
         new RightOfWayWatch(
             settings(RightOfWayVariables.class),

@@ -165,7 +165,7 @@ final class StraightApproach implements LandingState.Descent {
     }
     boolean isBlocked =
         phase == Phase.LEVEL
-            ? detour.isHindered(vehicle, state, ahead(place, remainingM, lengthM).at(highM))
+            ? detour.isObstructed(vehicle, state, ahead(place, remainingM, lengthM).at(highM))
             : to.z() > MIN_BREAK_OFF_M && detour.comesTraffic(vehicle, state, place);
     if (isBlocked) {
       return breakOff(vehicle.body(toEntry));

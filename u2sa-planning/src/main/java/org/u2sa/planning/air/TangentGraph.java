@@ -28,6 +28,9 @@ public final class TangentGraph {
   private static final int MAX_EXPANSIONS = 4000;
   private static final double ARC_SAMPLE_RAD = Math.toRadians(6.0);
 
+  private static final byte FREE = 1;
+  private static final byte BLOCKED = 2;
+
   /** A circle with a turn direction: 1 to the right, −1 to the left, 0 for a point. */
   private record Ring(double northM, double eastM, double radiusM, int sense) {}
 
@@ -43,6 +46,8 @@ public final class TangentGraph {
   private final OptionalDouble goalHeadingRad;
   private final List<Ring> rings = new ArrayList<>();
   private final int firstGoal;
+  private final double[] reached; // least cost by tangent, from ring to ring
+  private final byte[] tangents; // whether they are free, likewise: 0 not checked yet
 
   private TangentGraph(
       KeepOut keepOut,
@@ -74,6 +79,9 @@ public final class TangentGraph {
     }
     firstGoal = rings.size();
     rings.addAll(goals);
+    reached = new double[rings.size() * rings.size()];
+    Arrays.fill(reached, Double.POSITIVE_INFINITY);
+    tangents = new byte[reached.length];
   }
 
   private List<Ring> goals() {
@@ -148,8 +156,6 @@ public final class TangentGraph {
   private Optional<Curve> search() {
     PriorityQueue<Node> open =
         new PriorityQueue<>(Comparator.comparingDouble(Node::estimate).thenComparingInt(Node::id));
-    double[] reached = new double[rings.size() * rings.size()]; // from ring to ring
-    Arrays.fill(reached, Double.POSITIVE_INFINITY);
     int ids = 0;
     for (int ring = 0; ring < 2; ring++) {
       open.add(new Node(ring, start.headingRad(), 0.0, restM(ring), null, ids++));
@@ -165,9 +171,8 @@ public final class TangentGraph {
       }
       for (int to = 2; to < rings.size(); to++) {
         Optional<Node> next = fly(node, to, ids);
-        int edge = node.ring() * rings.size() + to;
-        if (next.isPresent() && next.get().cost() < reached[edge]) {
-          reached[edge] = next.get().cost();
+        if (next.isPresent()) {
+          reached[node.ring() * rings.size() + to] = next.get().cost();
           open.add(next.get());
           ids++;
         }
@@ -182,7 +187,10 @@ public final class TangentGraph {
         0.0, Math.hypot(at.northM() - goalNorthM, at.eastM() - goalEastM) - at.radiusM());
   }
 
-  /** Expands a node around its ring and along the tangent to another; empty if blocked. */
+  /**
+   * Expands a node around its ring and along the tangent to another; empty if blocked, or not
+   * shorter than before.
+   */
   private Optional<Node> fly(Node node, int to, int id) {
     Ring a = rings.get(node.ring());
     Ring b = rings.get(to);
@@ -199,11 +207,18 @@ public final class TangentGraph {
     double heading = Math.atan2(east, north) - Math.atan2(k, length);
     double turned = turn(node.headingRad(), heading, a.sense());
     double cost = node.cost() + turned * a.radiusM() + length;
+    int tangent = node.ring() * rings.size() + to;
+    if (tangents[tangent] == BLOCKED || !(cost < reached[tangent])) {
+      return Optional.empty();
+    }
     double n1 = onRing(a, heading, true);
     double e1 = onRing(a, heading, false);
     double n2 = onRing(b, heading, true);
     double e2 = onRing(b, heading, false);
-    if (!keepOut.isFree(n1, e1, n2, e2) || !arcIsFree(a, node.headingRad(), turned)) {
+    if (tangents[tangent] == 0) {
+      tangents[tangent] = keepOut.isFree(n1, e1, n2, e2) ? FREE : BLOCKED;
+    }
+    if (tangents[tangent] == BLOCKED || !arcIsFree(a, node.headingRad(), turned)) {
       return Optional.empty();
     }
     double rest = Math.hypot(n2 - goalNorthM, e2 - goalEastM);

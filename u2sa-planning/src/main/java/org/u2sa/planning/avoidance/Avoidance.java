@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.BiConsumer;
+import java.util.function.DoubleSupplier;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
@@ -52,6 +53,7 @@ public final class Avoidance {
   private final RouteKeeper routes;
   private final PathNews news;
   private final VerticalEvasion climbing;
+  private final GroundWatch highGround;
   private final StraightFlight straight;
   private final VerticalGuard vertical;
   private final InPlaceEvasion inPlace;
@@ -91,13 +93,15 @@ public final class Avoidance {
    * @param configuration configuration of the planner, in which PLANNER selects the route planner
    * @param say reports a message to the operator; true for a warning
    * @param terrain the ground, if it is known
+   * @param slope slope of climbs and descents of aircraft without EVASION CLIMB
    */
   public Avoidance(
       Configurator configuration,
       Supplier<AvoidanceVariables> settings,
       Supplier<LineSettings> lines,
       BiConsumer<String, Boolean> say,
-      Optional<HeightGrid> terrain) {
+      Optional<HeightGrid> terrain,
+      DoubleSupplier slope) {
     this.settings = settings;
     this.lines = lines;
     this.say = say;
@@ -119,7 +123,9 @@ public final class Avoidance {
     obstacles = new VirtualObstacles(world);
     routes = new RouteKeeper(world, obstacles, passages, () -> planners.get(chosen.get()), say);
     news = new PathNews(settings, say);
-    climbing = new VerticalEvasion(terrain, say);
+    GroundMap map = new GroundMap(terrain);
+    climbing = new VerticalEvasion(map, say);
+    highGround = new GroundWatch(map, world, slope);
     straight = new StraightFlight(world);
     vertical = new VerticalGuard(world, say);
     drift = new DriftWatch(settings);
@@ -172,6 +178,7 @@ public final class Avoidance {
     attempt = Optional.empty();
     held = Optional.empty();
     routes.begin();
+    highGround.begin();
     obstacles.forgetGaps();
     passages.widen();
     news.begin();
@@ -185,6 +192,18 @@ public final class Avoidance {
     boolean hasTraffic = comesTraffic(vehicle, state, to);
     AvoidanceVariables now = settings.get();
     return straight.isObstructed(vehicle, vehicle.on(plane), to, body(now), now) || hasTraffic;
+  }
+
+  /**
+   * Whether ground is too high for a straight way to a position, with a climb or descent at once.
+   */
+  public boolean isGroundBetween(Vehicle vehicle, StateInformation state, Place to) {
+    AvoidanceVariables now = settings.get();
+    lieOn(world.plane(state));
+    double speedMps = Math.max(vehicle.speedMps(), Math.max(now.minSpeed(), now.plannedSpeed()));
+    return state.z().isPresent()
+        && to.upM().isPresent()
+        && highGround.isBetween(plane, vehicle.on(plane), vehicle.nedOf(to), speedMps, now);
   }
 
   /**
@@ -272,6 +291,7 @@ public final class Avoidance {
     if (!staysThere && !isLevel && Math.hypot(way.x(), way.y()) < IN_PLACE_M) {
       return false;
     }
+    highGround.leave();
     world.update(state, at.x(), at.y(), at.z(), at.z() + way.z());
     Optional<ArcChoice> choice = hover.choose(vehicle, state, way);
     if (staysThere || choice.isPresent()) {
@@ -340,6 +360,7 @@ public final class Avoidance {
     double downM = way.z();
     if (VerticalGuard.matters(way)) {
       if (steppedMicros != vehicle.timestampMicros()) {
+        highGround.leave();
         world.update(state, at.x(), at.y(), at.z(), at.z() + way.z());
         apart = inPlace.way(goal, vehicle, state, way, ground);
       }
@@ -372,6 +393,7 @@ public final class Avoidance {
       held = Optional.empty();
       before = Optional.empty();
       obstacles.forgetAll();
+      highGround.begin();
     }
   }
 
@@ -403,6 +425,9 @@ public final class Avoidance {
     if (!now.passSides().isEmpty()) {
       obstacles.keepSides(pose, state, routes.track(), now);
     }
+    boolean hasAltitudes = state.z().isPresent() && wanted.target().upM().isPresent();
+    double speedMps = Math.max(vehicle.speedMps(), Situation.wantedMps(wanted, now));
+    Optional<String> inGround = highGround.see(plane, at, toGoal, hasAltitudes, speedMps, now);
     world.update(state, at.x(), at.y(), at.z(), at.z() + toGoal.z());
     Situation situation =
         Situation.of(
@@ -414,7 +439,8 @@ public final class Avoidance {
     ArcChoice choice = current.choose(arcs(situation, vehicle, traffic, room), situation);
     climbing.chosen(choice, at, micros);
     before = Optional.of(choice);
-    Optional<String> givenUp = current.judge(choice, isNear(traffic, situation), situation);
+    Optional<String> givenUp =
+        inGround.or(() -> current.judge(choice, isNear(traffic, situation), situation));
     PathStatus status = PathNews.status(choice, givenUp, current.hasRecovered(), routes);
     announce(status, givenUp, wanted, at);
     held = now.stops() ? Optional.empty() : Optional.of(new HeldChoice(choice, wanted, micros));
@@ -429,7 +455,10 @@ public final class Avoidance {
       Wanted wanted,
       Optional<String> givenUp) {
     AvoidanceVariables now = settings.get();
-    double downM = Double.isNaN(choice.toDownM()) ? toGoal.z() : choice.toDownM() - at.z();
+    // without a route, it does not descend to what may be between it and the goal
+    boolean staysHigh = highGround.counts() && routes.track().isEmpty();
+    double levelM = staysHigh ? Math.min(0.0, toGoal.z()) : toGoal.z();
+    double downM = Double.isNaN(choice.toDownM()) ? levelM : choice.toDownM() - at.z();
     return new Step(
         Point.of(
             choice.northM() - at.x(),

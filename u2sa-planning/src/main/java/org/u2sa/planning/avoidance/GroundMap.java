@@ -15,12 +15,19 @@ import org.u2sa.planning.seen.PlanningPlane;
 final class GroundMap {
   private static final double NODE_M = 2.0;
   private static final int NODES = 256; // stored in each direction; farther ones replace nearer
+  private static final double SQUARE_M = 64.0; // within which longitude and latitude are linear
+  private static final int SQUARES = 64; // likewise
+  private static final double POLAR_DEG = 89.0;
+  private static final double HALF_TURN_DEG = 180.0;
   private static final int NOTHING = Integer.MIN_VALUE;
 
   private final Optional<HeightGrid> terrain;
   private final int[] rows = new int[NODES * NODES]; // of the node stored
   private final int[] columns = new int[NODES * NODES];
   private final double[] downs = new double[NODES * NODES];
+  private final Geodetic[] corners = new Geodetic[SQUARES * SQUARES]; // of squares
+  private final int[] cornerRows = new int[SQUARES * SQUARES];
+  private final int[] cornerColumns = new int[SQUARES * SQUARES];
   private PlanningPlane plane;
 
   GroundMap(Optional<HeightGrid> terrain) {
@@ -29,12 +36,8 @@ final class GroundMap {
 
   /** Down coordinate of the ground [m]; NaN if unknown. */
   double downM(PlanningPlane on, double northM, double eastM) {
-    if (terrain.isEmpty() || !on.onEarth()) {
+    if (!isOn(on)) {
       return Double.NaN;
-    }
-    if (on != plane) {
-      plane = on;
-      Arrays.fill(rows, NOTHING);
     }
     double north = northM / NODE_M;
     double east = eastM / NODE_M;
@@ -48,6 +51,19 @@ final class GroundMap {
     return Double.isNaN(down) ? mappedM(northM, eastM) : down;
   }
 
+  /** Whether the ground is known on a plane; later calls are about that plane. */
+  boolean isOn(PlanningPlane on) {
+    if (terrain.isEmpty() || !on.onEarth()) {
+      return false;
+    }
+    if (on != plane) {
+      plane = on;
+      Arrays.fill(rows, NOTHING);
+      Arrays.fill(corners, null);
+    }
+    return true;
+  }
+
   private double node(int row, int column) {
     int index = Math.floorMod(row, NODES) * NODES + Math.floorMod(column, NODES);
     if (rows[index] != row || columns[index] != column) {
@@ -58,10 +74,57 @@ final class GroundMap {
     return downs[index];
   }
 
-  private double mappedM(double northM, double eastM) {
+  /** Like {@link #downM} on the plane of the last call, without storing heights. */
+  double mappedM(double northM, double eastM) {
+    Geodetic place = place(northM, eastM);
+    OptionalDouble altitude = terrain.orElseThrow().altitudeM(place);
+    return altitude.isPresent() ? place.altitudeM() - altitude.getAsDouble() : Double.NaN;
+  }
+
+  private Geodetic place(double northM, double eastM) {
+    int row = (int) Math.floor(northM / SQUARE_M);
+    int column = (int) Math.floor(eastM / SQUARE_M);
+    double up = northM / SQUARE_M - row;
+    double right = eastM / SQUARE_M - column;
+    Geodetic southWest = corner(row, column);
+    Geodetic southEast = corner(row, column + 1);
+    Geodetic northWest = corner(row + 1, column);
+    Geodetic northEast = corner(row + 1, column + 1);
+    double widthDeg = Math.abs(southEast.longitudeDeg() - southWest.longitudeDeg());
+    double upperDeg = Math.abs(northEast.longitudeDeg() - southWest.longitudeDeg());
+    double leftDeg = Math.abs(northWest.longitudeDeg() - southWest.longitudeDeg());
+    boolean isAtDateLine = Math.max(widthDeg, Math.max(upperDeg, leftDeg)) > HALF_TURN_DEG;
+    if (isAtDateLine || Math.abs(southWest.latitudeDeg()) > POLAR_DEG) {
+      return exact(northM, eastM);
+    }
+    return new Geodetic(
+        between(
+            between(southWest.longitudeDeg(), southEast.longitudeDeg(), right),
+            between(northWest.longitudeDeg(), northEast.longitudeDeg(), right),
+            up),
+        between(
+            between(southWest.latitudeDeg(), southEast.latitudeDeg(), right),
+            between(northWest.latitudeDeg(), northEast.latitudeDeg(), right),
+            up),
+        southWest.altitudeM());
+  }
+
+  private static double between(double one, double other, double share) {
+    return one + share * (other - one);
+  }
+
+  private Geodetic corner(int row, int column) {
+    int index = Math.floorMod(row, SQUARES) * SQUARES + Math.floorMod(column, SQUARES);
+    if (corners[index] == null || cornerRows[index] != row || cornerColumns[index] != column) {
+      cornerRows[index] = row;
+      cornerColumns[index] = column;
+      corners[index] = exact(SQUARE_M * row, SQUARE_M * column);
+    }
+    return corners[index];
+  }
+
+  private Geodetic exact(double northM, double eastM) {
     Point place = plane.point(northM, eastM, 0.0);
-    OptionalDouble altitude =
-        terrain.orElseThrow().altitudeM(new Geodetic(place.x(), place.y(), 0.0));
-    return altitude.isPresent() ? place.z() - altitude.getAsDouble() : Double.NaN;
+    return new Geodetic(place.x(), place.y(), place.z());
   }
 }

@@ -1,5 +1,7 @@
 package org.u2sa.planning.avoidance;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Supplier;
@@ -9,6 +11,7 @@ import org.u2sa.planning.route.RoutePlanner;
 import org.u2sa.planning.route.RouteRequest;
 import org.u2sa.planning.route.RouteRequest.Mobility;
 import org.u2sa.planning.search.CostGrid;
+import org.u2sa.planning.seen.PlanarShape;
 import org.u2sa.planning.seen.SeenWorld;
 
 /**
@@ -141,7 +144,7 @@ final class RouteKeeper {
 
   private void replace(Route route) {
     track = route.exists() ? Optional.of(new RouteTrack(route)) : Optional.empty();
-    obstacle = route.obstacle();
+    obstacle = reason(route);
     searches = route.goesOn();
     triedRevision = revision; // a longer search may have missed recent changes
     if (route.exists()) {
@@ -154,6 +157,12 @@ final class RouteKeeper {
         say.accept("no route with room to turn: trying narrower passages", false);
       }
     }
+  }
+
+  private String reason(Route route) {
+    return route.exists() || route.goesOn() || world.highGround().isEmpty()
+        ? route.obstacle()
+        : route.obstacle() + ", which include ground that is too high";
   }
 
   private Route plan(Situation now) {
@@ -177,9 +186,27 @@ final class RouteKeeper {
                     TURN_MARGIN * now.slowRadiusM(),
                     settings.reverses()),
                 world.costs(),
-                world.shapes(),
+                shapes(now),
                 world.corridors(),
                 settings.effort()));
+  }
+
+  /** Obstacles; high ground only if its outline without dents leaves out vehicle and goal. */
+  private List<PlanarShape> shapes(Situation now) {
+    List<PlanarShape> ground = world.highGround();
+    if (ground.isEmpty()) {
+      return world.shapes();
+    }
+    List<PlanarShape> all = new ArrayList<>(world.shapes());
+    for (PlanarShape high : ground) {
+      boolean contains =
+          high.distanceM(now.pose().northM(), now.pose().eastM()) == 0.0
+              || high.distanceM(now.goalNorthM(), now.goalEastM()) == 0.0;
+      if (!contains) {
+        all.add(high);
+      }
+    }
+    return all;
   }
 
   /** Current cost of the rest of the route [m]; infinite if it is blocked. */

@@ -4,7 +4,6 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.BiConsumer;
 import java.util.function.DoubleBinaryOperator;
-import org.u2sa.interfaces.terrain.HeightGrid;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
@@ -34,8 +33,8 @@ final class VerticalEvasion {
   private int direction; // direction of the last evasion: 1 up, −1 down
   private long lastMicros = Long.MIN_VALUE / 2;
 
-  VerticalEvasion(Optional<HeightGrid> terrain, BiConsumer<String, Boolean> say) {
-    ground = new GroundMap(terrain);
+  VerticalEvasion(GroundMap ground, BiConsumer<String, Boolean> say) {
+    this.ground = ground;
     this.say = say;
   }
 

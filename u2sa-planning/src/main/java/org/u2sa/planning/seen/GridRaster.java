@@ -102,4 +102,12 @@ final class GridRaster {
       }
     }
   }
+
+  void draw(GroundLayer ground) {
+    for (int i = 0; i < states.length; i++) {
+      if (ground.isHigh(i)) {
+        occupy(i);
+      }
+    }
+  }
 }

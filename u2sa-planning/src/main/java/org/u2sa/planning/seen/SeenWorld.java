@@ -3,6 +3,7 @@ package org.u2sa.planning.seen;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.DoubleBinaryOperator;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.u2sa.messages.ObjectDescription;
@@ -74,6 +75,9 @@ public final class SeenWorld {
   private Reading costsRead;
   private GridLayer layer; // last drawn
   private CorridorLayer outside; // likewise
+  private GroundLayer high; // likewise; null: no ground counts
+  private FlightProfile profile; // null: no ground counts
+  private DoubleBinaryOperator groundDownM;
   private int revision;
   private boolean overlooks;
   private List<PlanarShape> guessed = List.of();
@@ -92,6 +96,18 @@ public final class SeenWorld {
   public void guess(List<PlanarShape> closed) {
     changed |= !closed.equals(guessed);
     guessed = List.copyOf(closed);
+  }
+
+  /**
+   * Sets which ground counts as an obstacle: what is too high to fly over, until the next call.
+   *
+   * @param flown altitudes to be flown; empty: no ground counts
+   * @param ground down coordinate of the ground on the plane, at north and east [m]; NaN if unknown
+   */
+  public void flyAbove(Optional<FlightProfile> flown, DoubleBinaryOperator ground) {
+    changed |= !flown.equals(Optional.ofNullable(profile));
+    profile = flown.orElse(null);
+    groundDownM = ground;
   }
 
   /** Updates the objects, which have just arrived [µs]. */
@@ -153,6 +169,8 @@ public final class SeenWorld {
     if (plane == null || plane.onEarth() == state.referenceFrame().isLocal()) {
       plane = PlanningPlane.at(state);
       guessed = List.of();
+      profile = null;
+      high = null;
       changed = true;
       costs = null;
     }
@@ -161,6 +179,11 @@ public final class SeenWorld {
 
   public List<PlanarShape> shapes() {
     return shapes;
+  }
+
+  /** Convex outlines of ground that is too high to fly over, as of the last update. */
+  public List<PlanarShape> highGround() {
+    return high == null || profile == null ? List.of() : high.shapes();
   }
 
   /** Areas, at least one of which must contain the vehicle. */
@@ -301,7 +324,11 @@ public final class SeenWorld {
       layer = GridLayer.of(grid, plane, costs.frame(), now.occupiedAbove(), layer);
     }
     List<PlanarShape> closed = overlooks ? List.of() : guessed;
-    if (grid != null && drawn.isEmpty() && closed.isEmpty() && corridors.isEmpty()) {
+    if (profile != null) {
+      high = GroundLayer.of(profile, groundDownM, costs.frame(), high);
+    }
+    boolean isLow = highGround().isEmpty();
+    if (grid != null && drawn.isEmpty() && closed.isEmpty() && corridors.isEmpty() && isLow) {
       return layer.states();
     }
     GridRaster raster =
@@ -311,6 +338,9 @@ public final class SeenWorld {
     if (!corridors.isEmpty()) {
       outside = CorridorLayer.of(corridors, costs.frame(), outside);
       raster.draw(outside);
+    }
+    if (!isLow) {
+      raster.draw(high);
     }
     return raster.states();
   }

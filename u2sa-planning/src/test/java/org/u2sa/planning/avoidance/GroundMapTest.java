@@ -74,6 +74,37 @@ class GroundMapTest {
     }
   }
 
+  /** Places are interpolated, heights are not. */
+  @Test
+  void mappedM_anywhereOnTheMap_isThatOfTheMapExactly() {
+    assertThat(map.isOn(plane)).isTrue();
+    for (double north = -600.0; north < 600.0; north += 37.3) {
+      for (double east = -400.0; east < 400.0; east += 23.9) {
+        assertThat(map.mappedM(north, east)).isCloseTo(exactM(plane, north, east), within(0.001));
+      }
+    }
+    assertThat(map.mappedM(5000.0, 0.0)).isNaN();
+  }
+
+  @Test
+  void mappedM_acrossTheDateLine_isThatOfTheMap() throws IOException {
+    String text = "ncols 2\nnrows 2\nxllcenter 179.99\nyllcenter 47\ncellsize 0.02\n";
+    Path file = Files.writeString(folder.resolve("line.asc"), text + "0 100\n0 100\n");
+    map = new GroundMap(Optional.of(HeightGrid.read(file)));
+    plane =
+        PlanningPlane.at(
+            new StateInformation()
+                .referenceFrame(ReferenceFrame.GLOBAL)
+                .x(180.0)
+                .y(47.01)
+                .z(700.0)
+                .psi(0.0));
+
+    assertThat(map.isOn(plane)).isTrue();
+    assertThat(map.mappedM(1.0, 1.0)).isCloseTo(650.0, within(0.5));
+    assertThat(map.mappedM(1.0, -1.0)).isCloseTo(650.0, within(0.5));
+  }
+
   @Test
   void downM_otherPlane_isThatOfTheMapThere() {
     PlanningPlane other = at(SOUTH_DEG + 0.3 * CELLS * CELL_DEG);

@@ -27,7 +27,8 @@ import org.u2sa.planning.seen.PlanningPlane;
 class VerticalEvasionTest {
   private final AvoidanceBench bench =
       new AvoidanceBench(Map.of("VERTICAL CLEARANCE", 20.0, "EVASION CLIMB", 3.0));
-  private final VerticalEvasion evasion = new VerticalEvasion(Optional.empty(), bench::say);
+  private final VerticalEvasion evasion =
+      new VerticalEvasion(new GroundMap(Optional.empty()), bench::say);
 
   private Optional<Point> spot = Optional.empty();
 
@@ -143,7 +144,7 @@ class VerticalEvasionTest {
     Point at = Point.of(0.0, 0.0, 0.0);
 
     VerticalRoom room =
-        new VerticalEvasion(Optional.of(HeightGrid.read(map)), bench::say)
+        new VerticalEvasion(new GroundMap(Optional.of(HeightGrid.read(map))), bench::say)
             .room(
                 state,
                 at,

@@ -1,0 +1,145 @@
+package org.u2sa.planning.avoidance;
+
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.DoubleSupplier;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.planning.seen.FlightProfile;
+import org.u2sa.planning.seen.PlanningPlane;
+import org.u2sa.planning.seen.SeenWorld;
+
+/**
+ * Determines the altitudes at which an aircraft will fly to its goal, and with them which ground is
+ * too high for its route. Confined to the planner's thread.
+ */
+final class GroundWatch {
+  /** Smaller changes of an altitude do not matter [fraction of VERTICAL CLEARANCE]. */
+  private static final double SAME = 0.4;
+
+  private static final double ROUGHLY_M = 1.0; // error of maps
+  private static final double FARTHEST_M = 5000.0; // a way is checked so far ahead
+  private static final double ROUNDING_M = 0.01; // on the way to a goal as low as its clearance
+  private static final double STEP_M = 5.0; // between checked positions, at least
+
+  private final GroundMap ground;
+  private final SeenWorld world;
+  private final DoubleSupplier slope;
+  private Optional<FlightProfile> profile = Optional.empty();
+
+  /**
+   * @param slope slope of climbs and descents of vehicles without EVASION CLIMB
+   */
+  GroundWatch(GroundMap ground, SeenWorld world, DoubleSupplier slope) {
+    this.ground = ground;
+    this.world = world;
+    this.slope = slope;
+  }
+
+  /** Starts anew: the goal may be another one. */
+  void begin() {
+    profile = Optional.empty();
+  }
+
+  /** No ground counts: the vehicle does not follow a route. */
+  void leave() {
+    begin();
+    world.flyAbove(profile, ground::mappedM);
+  }
+
+  /** Whether ground counts as an obstacle. */
+  boolean counts() {
+    return profile.isPresent();
+  }
+
+  /**
+   * Sets which ground counts as an obstacle.
+   *
+   * @param at vehicle on the plane [m]
+   * @param toGoal vector to the goal [m]
+   * @param hasAltitudes whether the altitudes of both are known
+   * @param speedMps speed at which it climbs or descends [m/s]
+   * @return reason for giving up the goal: it is in the ground; empty if it is not
+   */
+  Optional<String> see(
+      PlanningPlane plane,
+      Point at,
+      Point toGoal,
+      boolean hasAltitudes,
+      double speedMps,
+      AvoidanceVariables now) {
+    if (!hasAltitudes || now.verticalClearance() == 0.0 || !ground.isOn(plane)) {
+      leave();
+      return Optional.empty();
+    }
+    double goalDownM = at.z() + toGoal.z();
+    double keptM = keptM(at, toGoal, now);
+    if (!isFlown(at, goalDownM, keptM, now.verticalClearance())) {
+      profile = Optional.of(flown(at, toGoal, keptM, speedMps, now));
+    }
+    world.flyAbove(profile, ground::mappedM);
+    double goalM = ground.mappedM(at.x() + toGoal.x(), at.y() + toGoal.y()) - goalDownM;
+    return goalM < -ROUGHLY_M
+        ? Optional.of(
+            String.format(
+                Locale.ROOT, "the ground at the goal is %.0f m higher than the goal", -goalM))
+        : Optional.empty();
+  }
+
+  /**
+   * Whether ground is too high for a straight way; parameters as of {@link #see}, except that
+   * altitudes are known.
+   */
+  boolean isBetween(
+      PlanningPlane plane, Point at, Point way, double speedMps, AvoidanceVariables now) {
+    if (now.verticalClearance() == 0.0 || !ground.isOn(plane)) {
+      return false;
+    }
+    FlightProfile straight = flown(at, way, keptM(at, way, now), speedMps, now);
+    double lengthM = Math.min(FARTHEST_M, Math.hypot(way.x(), way.y()));
+    double north = lengthM == 0.0 ? 0.0 : way.x() / Math.hypot(way.x(), way.y());
+    double east = lengthM == 0.0 ? 0.0 : way.y() / Math.hypot(way.x(), way.y());
+    double stepM = Math.max(STEP_M, now.planningCell());
+    for (double along = 0.0; along <= lengthM; along += stepM) {
+      double n = at.x() + along * north;
+      double e = at.y() + along * east;
+      if (straight.isTooHigh(n, e, ground.mappedM(n, e) + ROUNDING_M)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Distance to keep above ground: a vehicle or goal that is lower sets it [m]. */
+  private double keptM(Point at, Point toGoal, AvoidanceVariables now) {
+    double hereM = ground.mappedM(at.x(), at.y()) - at.z();
+    double goalM = ground.mappedM(at.x() + toGoal.x(), at.y() + toGoal.y()) - at.z() - toGoal.z();
+    double clearance = now.verticalClearance();
+    double keptM = Double.isNaN(hereM) ? clearance : hereM;
+    // a vehicle that began higher does not come that low
+    keptM = Math.max(keptM, profile.map(FlightProfile::keptM).orElse(keptM));
+    return Math.min(clearance, Double.isNaN(goalM) ? keptM : Math.min(keptM, goalM));
+  }
+
+  private FlightProfile flown(
+      Point at, Point toGoal, double keptM, double speedMps, AvoidanceVariables now) {
+    double goalDownM = at.z() + toGoal.z();
+    boolean isLevel = Math.abs(toGoal.z()) <= SAME * now.verticalClearance();
+    double climb = now.evasionClimb();
+    return new FlightProfile(
+        at.x(),
+        at.y(),
+        isLevel ? goalDownM : at.z(),
+        goalDownM,
+        climb == 0.0 ? slope.getAsDouble() : climb / Math.max(climb, speedMps),
+        keptM);
+  }
+
+  /** Whether the vehicle flies as expected, so that routes remain comparable. */
+  private boolean isFlown(Point at, double goalDownM, double keptM, double clearance) {
+    double sameM = SAME * clearance;
+    return profile.isPresent()
+        && Math.abs(profile.get().downM(at.x(), at.y()) - at.z()) <= sameM
+        && Math.abs(profile.get().goalDownM() - goalDownM) <= 0.5 * sameM
+        && Math.abs(profile.get().keptM() - keptM) <= 0.25 * sameM;
+  }
+}
