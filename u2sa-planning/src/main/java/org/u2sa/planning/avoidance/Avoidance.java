@@ -53,7 +53,7 @@ public final class Avoidance {
   private final RouteKeeper routes;
   private final PathNews news;
   private final VerticalEvasion climbing;
-  private final GroundWatch highGround;
+  private final RouteGround highGround;
   private final StraightFlight straight;
   private final VerticalGuard vertical;
   private final InPlaceEvasion inPlace;
@@ -125,7 +125,7 @@ public final class Avoidance {
     news = new PathNews(settings, say);
     GroundMap map = new GroundMap(terrain);
     climbing = new VerticalEvasion(map, say);
-    highGround = new GroundWatch(map, world, slope);
+    highGround = new RouteGround(map, world, slope);
     straight = new StraightFlight(world);
     vertical = new VerticalGuard(world, say);
     drift = new DriftWatch(settings);

@@ -12,7 +12,7 @@ import org.u2sa.planning.seen.SeenWorld;
  * Determines the altitudes at which an aircraft will fly to its goal, and with them which ground is
  * too high for its route. Confined to the planner's thread.
  */
-final class GroundWatch {
+final class RouteGround {
   /** Smaller changes of an altitude do not matter [fraction of VERTICAL CLEARANCE]. */
   private static final double SAME = 0.4;
 
@@ -29,13 +29,13 @@ final class GroundWatch {
   /**
    * @param slope slope of climbs and descents of vehicles without EVASION CLIMB
    */
-  GroundWatch(GroundMap ground, SeenWorld world, DoubleSupplier slope) {
+  RouteGround(GroundMap ground, SeenWorld world, DoubleSupplier slope) {
     this.ground = ground;
     this.world = world;
     this.slope = slope;
   }
 
-  /** Starts anew: the goal may be another one. */
+  /** Forgets the altitudes to be flown: the goal may be another one. */
   void begin() {
     profile = Optional.empty();
   }

@@ -20,14 +20,14 @@ import org.u2sa.planning.seen.PlanningPlane;
 /**
  * A map that rises to the north from 0 m at the origin, by 1 m per metre, seen in a window of 20 m.
  */
-class GroundWatchTest {
+class RouteGroundTest {
   private static final double CELL_DEG = 0.001;
 
   @TempDir Path folder;
   private final AvoidanceBench bench = new AvoidanceBench(Map.of("VERTICAL CLEARANCE", 10.0));
   private final StateInformation state = new StateInformation().x(10.0).y(0.0).z(0.0).psi(0.0);
   private final PlanningPlane plane = bench.world.plane(state);
-  private GroundWatch watch;
+  private RouteGround watch;
 
   @BeforeEach
   void start() throws IOException {
@@ -39,7 +39,7 @@ class GroundWatchTest {
     }
     Path map = Files.writeString(folder.resolve("map.asc"), text);
     GroundMap ground = new GroundMap(Optional.of(HeightGrid.read(map)));
-    watch = new GroundWatch(ground, bench.world, () -> 0.1);
+    watch = new RouteGround(ground, bench.world, () -> 0.1);
     bench.world.see(new ObjectList(), 0L);
   }
 
