@@ -23,6 +23,7 @@ import org.u2sa.android.vehicle.PhoneSettings
 import org.u2sa.interfaces.BadInputException
 
 private const val PAD_DP = 16
+private const val TOUCH_DP = 48 // Android's minimum for what is touched
 private const val BLUETOOTH_REQUEST = 1
 
 /** Settings of the board connection and the phone's failsafe. Changes take effect at the next start. */
@@ -102,6 +103,7 @@ class SettingsActivity : Activity() {
             id = View.generateViewId()
             this.tag = tag
             text = words
+            minHeight = (TOUCH_DP * resources.displayMetrics.density).toInt()
         },
     )
 

@@ -4,6 +4,7 @@ import {age, byId, element, fill, row, setText} from './dom.js';
 import {STALE_MS} from './model.js';
 
 const SLOW_MS = 500;
+const READY = matchMedia('(any-pointer: fine)').matches ? 'Esc Esc' : 'tap'; // a telephone has no Escape key
 const DEG = 180 / Math.PI;
 const LINK_NAMES = {off: 'not connected', connecting: 'connecting', up: 'link', lost: 'LINK LOST', refused: 'log-in refused'};
 
@@ -87,7 +88,7 @@ export class Panel {
   showAlert(vehicle) {
     const {link, orders} = this;
     let text = '';
-    let stopState = vehicle ? 'Esc Esc' : 'no vehicle';
+    let stopState = vehicle ? READY : 'no vehicle';
     const inForce = vehicle ? vehicle.stops().inForce : [];
     if (link.state === 'lost') text = `Link lost: ${link.reason}. What you see is old. Reconnecting…`;
     else if (link.isUp && vehicle && vehicle.isStale() && !(vehicle.playback && vehicle.playback.isPaused)) text = `No position from ${vehicle.id} for ${age(vehicle.stateAt)}.`;
@@ -131,9 +132,10 @@ export class Panel {
 }
 
 function doing(report) {
-  const done = report.goals.filter(goal => goal.completed).length;
+  const goals = report.goals.filter(goal => String(goal.uid) !== 'home');
+  const done = goals.filter(goal => goal.completed).length;
   const now = report.current.length === 0 ? 'over' : (report.paused ? 'held at ' : 'to ') + report.current.join(', ');
-  return `${done}/${report.goals.length}, ${now}`;
+  return `${done}/${goals.length}, ${now}`;
 }
 
 /** Rows of name, value with unit, and age. */
