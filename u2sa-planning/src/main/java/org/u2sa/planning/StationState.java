@@ -41,6 +41,9 @@ final class StationState implements PlannerState {
     THERE
   }
 
+  private static final double INSIDE = 0.7; // share of the threshold
+  private static final double INSIDE_STEP = 0.05;
+
   private final WaypointGuidance guidance;
   private final Supplier<StationVariables> settings;
   private final StationCircle circle;
@@ -183,7 +186,11 @@ final class StationState implements PlannerState {
         isOnStraightWay
             ? detour.isBlockedSoon(vehicle, pursuit.state(), place)
             : mustStay(vehicle, pursuit.state(), wanted);
-    if (stays) {
+    Optional<Place> inside =
+        stays && !isOnStraightWay ? inside(vehicle, pursuit.state(), wanted) : Optional.empty();
+    if (inside.isPresent()) {
+      point = NavigationPoint.at(vehicle.body(vehicle.nedOf(inside.get())));
+    } else if (stays) {
       point = towards(Point.ORIGIN, Optional.empty(), station, vehicle).speed(0.0);
     } else if (phase == Phase.BERTHING) {
       point = way.point(leg, to.z(), turn(station, vehicle), station, vehicle, settings.get());
@@ -238,6 +245,22 @@ final class StationState implements PlannerState {
     return !detour.isOfAircraftThatStops(state)
         && length(vehicle.nedOf(place)) <= wanted.thresholdM()
         && detour.isOccupied(vehicle, state, place);
+  }
+
+  /**
+   * Where a vehicle at the edge of the threshold goes, because any drift would lead it outside;
+   * empty if it is well inside, or something is there or on the way.
+   */
+  private Optional<Place> inside(Vehicle vehicle, StateInformation state, Avoidance.Wanted wanted) {
+    Point toGo = vehicle.nedOf(wanted.target());
+    for (double share = INSIDE; share * wanted.thresholdM() < length(toGo); share += INSIDE_STEP) {
+      double by = -share * wanted.thresholdM() / length(toGo);
+      Place place = wanted.target().moved(by * toGo.x(), by * toGo.y());
+      if (!detour.isOccupied(vehicle, state, place)) {
+        return Optional.of(place);
+      }
+    }
+    return Optional.empty();
   }
 
   /** Where it goes: to the station, or to the start of its straight way. */

@@ -110,7 +110,7 @@ class StationDetourTest extends PlannedVehicle {
   void station_poleStandsAtIt_theVehicleStaysWhereItIsWithinTheThreshold() {
     pole = pole(20, 0.5);
     Station station = station();
-    station.horizontalThreshold(2.5);
+    station.horizontalThreshold(3.0);
     goals(station);
     for (int i = 0; i < 5; i++) {
       sees(18.0, 0.0);
@@ -118,6 +118,19 @@ class StationDetourTest extends PlannedVehicle {
 
     assertThat(point().distance()).isCloseTo(0.0, within(1.0e-9));
     assertThat(kit.latest(Channels.NAVIGATION).orElseThrow().speed()).hasValue(0.0);
+  }
+
+  @Test
+  void station_poleStandsAtItAndTheVehicleIsAtTheThreshold_movesInsideIt() {
+    pole = pole(20, 0.5);
+    Station station = station();
+    station.horizontalThreshold(2.5);
+    goals(station);
+    for (int i = 0; i < 5; i++) {
+      sees(17.6, 0.0);
+    }
+
+    assertThat(point().x()).isCloseTo(2.4 - 0.7 * 2.5, within(1.0e-6));
   }
 
   @Test

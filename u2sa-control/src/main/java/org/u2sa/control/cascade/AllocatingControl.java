@@ -133,7 +133,7 @@ public final class AllocatingControl extends ControlSystem {
   private boolean wentBySight; // in the previous step
   private boolean isMeasured; // has been controlled by IMU and velocity log
   private boolean coasts; // its horizontal velocity is unknown
-  private boolean hadWay; // had a navigation point at the previous step
+  private boolean wasUnderWay; // was to move at the previous step
   private boolean takesOver;
   private double fluidMps; // speed of the newest state through air or water
   private OptionalDouble headingBefore = OptionalDouble.empty();
@@ -285,8 +285,8 @@ public final class AllocatingControl extends ControlSystem {
   }
 
   private void drive(BodyMotion motion, MotionTarget target) {
-    boolean stops = hadWay && target.way().isEmpty() && !tuning.leans();
-    hadWay = target.way().isPresent();
+    boolean stops = wasUnderWay && target.isStop() && !tuning.leans();
+    wasUnderWay = !target.isStop();
     if (coasts || stops) {
       cascade.rest(DegreeOfFreedom.SURGE); // else their integrals would drive it on
       cascade.rest(DegreeOfFreedom.SWAY);

@@ -20,6 +20,11 @@ record MotionTarget(
   private static final MotionTarget NONE =
       new MotionTarget(Optional.empty(), Optional.empty(), OptionalDouble.empty(), false);
 
+  /** Whether the vehicle stops: without a way, or at a speed of 0. */
+  boolean isStop() {
+    return way.isEmpty() || speedMps.isPresent() && speedMps.get() == 0.0;
+  }
+
   /** Stops and holds the heading. */
   static MotionTarget none() {
     return NONE;

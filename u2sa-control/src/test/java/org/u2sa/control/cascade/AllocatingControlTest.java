@@ -175,6 +175,20 @@ class AllocatingControlTest {
     assertThat(kit.percent("THRUSTER")).isCloseTo(-5.0, within(0.1)); // 1 kg times 1/s times 0.5
   }
 
+  /** Where something stands on its way, it is told to go no further. */
+  @Test
+  void control_speedOfZeroOnItsWay_brakesAtOnce() {
+    startThruster(1.0);
+    for (int i = 0; i < 50; i++) { // slower than wanted: its integral grows
+      underWay(0.5, 0.1);
+    }
+
+    kit.publish(Channels.NAVIGATION, at(NavigationPoint.at(Point.ORIGIN).speed(0.0)));
+    kit.publish(Channels.STATE, eastwards(0.5, 0.1));
+    kit.advance(0.1);
+    assertThat(kit.percent("THRUSTER")).isCloseTo(-5.0, within(0.1)); // 1 kg times 1/s times 0.5
+  }
+
   /** Against an error of its speed it would drive off, and a submarine tumble. */
   @Test
   void control_speedUnknownOnItsWay_coasts() {
