@@ -33,12 +33,12 @@ final class Following implements Behaviour {
 
   @Override
   public Optional<String> givesUp(Situation now) {
-    return watch.circles(track.remainingM(), now);
+    return watch.circles(now.remainingM(track), now);
   }
 
   @Override
   public boolean isStuck(Situation now) {
-    double remaining = track.remainingM();
+    double remaining = now.remainingM(track);
     if (remaining < nearestM - now.progressM()) {
       nearestM = remaining;
       nearestMicros = now.micros();

@@ -7,6 +7,7 @@ import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.guidance.LineSettings;
 import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.local.MotionLimits;
+import org.u2sa.planning.local.RouteTrack;
 import org.u2sa.planning.search.BodyDiscs;
 
 /**
@@ -15,6 +16,7 @@ import org.u2sa.planning.search.BodyDiscs;
  * @param pose pose of the vehicle on the planning plane; an aircraft's heading is its course
  * @param goalNorthM north coordinate of the goal on the plane [m]
  * @param goalEastM east coordinate of the goal on the plane [m]
+ * @param heightM height difference to the goal [m]; 0 if unknown
  * @param goalHeadingRad required heading at the goal [rad]; empty: any
  * @param thresholdM distance at which the goal is reached [m]
  * @param limits limits of the motion
@@ -28,6 +30,7 @@ record Situation(
     Pose pose,
     double goalNorthM,
     double goalEastM,
+    double heightM,
     OptionalDouble goalHeadingRad,
     double thresholdM,
     MotionLimits limits,
@@ -58,6 +61,7 @@ record Situation(
         pose,
         pose.northM() + toGoal.x(),
         pose.eastM() + toGoal.y(),
+        Double.isNaN(toGoal.z()) ? 0.0 : Math.abs(toGoal.z()),
         wanted.headingRad(),
         wanted.thresholdM(),
         limits(vehicle, wanted, now, lines, cellM),
@@ -98,6 +102,11 @@ record Situation(
   static double turnRadiusM(AvoidanceVariables now, LineSettings lines, double speedMps) {
     double speed = Math.max(speedMps, Math.max(now.plannedSpeed(), now.minSpeed()));
     return now.turnRadius() > 0.0 ? now.turnRadius() : lines.turns().radiusM(speed);
+  }
+
+  /** Way to the goal along a route, and up or down [m]: a descent in place is progress, too. */
+  double remainingM(RouteTrack track) {
+    return track.remainingM() + heightM;
   }
 
   /** Smaller movements do not count as progress [m]. */

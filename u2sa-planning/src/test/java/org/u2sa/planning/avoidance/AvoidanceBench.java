@@ -28,6 +28,7 @@ final class AvoidanceBench {
   private static final double GOAL_M = 8.0;
   private static final double CELL_M = 0.1;
 
+  private double heightM;
   final AvoidanceVariables settings;
   final List<RouteRequest> requests = new ArrayList<>();
   final List<String> said = new ArrayList<>();
@@ -92,6 +93,11 @@ final class AvoidanceBench {
         .radius(0.1);
   }
 
+  /** Height difference to the goal in situations from now on. */
+  void height(double metres) {
+    heightM = metres;
+  }
+
   static ObjectDescription ball(double northM, double radiusM) {
     return ((Sphere) post(northM, 0.0)).radius(radiusM);
   }
@@ -118,6 +124,7 @@ final class AvoidanceBench {
         new Pose(northM, eastM, headingRad),
         GOAL_M,
         0.0,
+        heightM,
         OptionalDouble.empty(),
         0.5,
         new MotionLimits(1.0, 0.8, 1.0, 0.0, true, true, 1.0, 0.05, 0.0, 0.3, 4.0, 0.3, 0.8),

@@ -45,12 +45,34 @@ class FollowingTest {
   }
 
   @Test
+  void isStuck_descendsInPlace_isProgress() {
+    bench.height(5.0);
+    isStuck(0.0, 0.0);
+    bench.height(4.0);
+    assertThat(isStuck(stuckS - 0.1, 0.0)).isFalse();
+
+    assertThat(isStuck(2.0 * stuckS - 0.2, 0.0)).isFalse();
+    assertThat(isStuck(2.0 * stuckS - 0.1, 0.0)).isTrue();
+  }
+
+  @Test
   void leaveOut_heldByTraffic_thatTimeDoesNotCount() {
     isStuck(0.0, 0.0);
     following.leaveOut(AvoidanceBench.micros(5.0));
 
     assertThat(isStuck(stuckS + 4.9, 0.0)).isFalse();
     assertThat(isStuck(stuckS + 5.0, 0.0)).isTrue();
+  }
+
+  @Test
+  void givesUp_descendsInPlace_isProgress() {
+    double allowedS = 4.0 * (8.0 + 5.0) + stuckS; // at 1 m/s
+    bench.height(5.0);
+    following.givesUp(bench.at(0.0));
+    bench.height(4.0);
+    assertThat(following.givesUp(bench.at(allowedS))).isEmpty();
+
+    assertThat(following.givesUp(bench.at(allowedS + 1.0))).isEmpty();
   }
 
   @Test
