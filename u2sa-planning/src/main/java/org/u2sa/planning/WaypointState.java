@@ -280,7 +280,8 @@ final class WaypointState implements PlannerState {
       return Plan.unless(step.givenUp(), List.of(turn.turn(turnRad)));
     }
     Point to = vehicle.nedOf(target);
-    if (Math.hypot(to.x(), to.y()) <= waypoint.horizontalThreshold()) {
+    boolean isThere = Math.hypot(to.x(), to.y()) <= waypoint.horizontalThreshold();
+    if (isThere && step.givenUp().isEmpty()) {
       return Plan.underWay(List.of(point));
     }
     if (attempts >= settings.get().attempts()) {

@@ -391,9 +391,11 @@ class PlannerSeesTest extends PlannedVehicle {
     assertThat(kit.latest(Channels.GOAL_REPORTS).orElseThrow().completed()).isTrue();
   }
 
-  @Test
-  void state_atWaypointWithHeadingButDoesNotTurn_isGivenUp() {
-    kit.with("PLANNER", "GRID").with("STUCK AFTER", 1.0).start(PathPlanner::new);
+  @ParameterizedTest
+  @CsvSource({"GRID, 0", "HYBRID, 1"})
+  void state_atWaypointWithHeadingButDoesNotTurn_isGivenUp(String planner, double turnRadius) {
+    kit.with("PLANNER", planner).with("TURN RADIUS", turnRadius).with("STUCK AFTER", 1.0);
+    kit.start(PathPlanner::new);
     goals(waypoint("1", 10, 0).psi(Math.PI / 2.0));
     drive(1, 5, 0, 0);
     drive(400, 10, 0, 0);
