@@ -81,6 +81,11 @@ final class Detour {
     return avoidance.isOn() && avoidance.isHindered(vehicle, state, to);
   }
 
+  /** Whether ground is too high at a place of a circle about a centre of the same altitude. */
+  boolean isGroundAt(Vehicle vehicle, StateInformation state, Place place, Place centre) {
+    return avoidance.isOn() && avoidance.isGroundAt(vehicle, state, place, centre);
+  }
+
   /** Whether traffic comes close on the straight way to a position. */
   boolean comesTraffic(Vehicle vehicle, StateInformation state, Place to) {
     return avoidance.isOn() && avoidance.comesTraffic(vehicle, state, to);

@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Supplier;
+import java.util.stream.IntStream;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
@@ -38,6 +39,11 @@ final class StationCircle {
   private static final double MAX_WIDER = 1.0; // of the radius
   private static final double LONGEST_STEP_S = 1.0;
   private static final double LEAVES_RAD = Math.toRadians(12.0); // lead to the next goal's course
+
+  private static final int GROUND_STEP_DEG = 5;
+
+  /** A longer part of a circle is not flown around: there may be no room to turn away. */
+  private static final int MAX_HIGH_GROUND_DEG = 60;
 
   private final Detour detour;
   private final Supplier<LineSettings> lines;
@@ -150,6 +156,11 @@ final class StationCircle {
     if (!detour.isPossible()) {
       return Plan.underWay(List.of(point));
     }
+    long highDeg = sinceMicros == Long.MIN_VALUE ? highGroundDeg(vehicle, state, centre) : 0;
+    if (highDeg > MAX_HIGH_GROUND_DEG) {
+      String why = "given up: the ground is too high along " + highDeg + " degrees of the circle";
+      return new Plan(List.of(point), Plan.Progress.ABANDONED, why);
+    }
     boolean isFree = !isHindered(vehicle, state);
     if (entry > 0 && isFree && isAlong(vehicle)) {
       entry = 0;
@@ -157,6 +168,15 @@ final class StationCircle {
       enter(1, vehicle);
     }
     return entry == 0 ? Plan.underWay(List.of(point)) : around(station, state, vehicle, point);
+  }
+
+  /** Part of the circle on which the ground is too high to fly over [degrees]. */
+  private long highGroundDeg(Vehicle vehicle, StateInformation state, Place centre) {
+    return GROUND_STEP_DEG
+        * IntStream.range(0, 360 / GROUND_STEP_DEG)
+            .mapToObj(i -> circle.at(Math.toRadians(i * GROUND_STEP_DEG)))
+            .filter(place -> detour.isGroundAt(vehicle, state, place, centre))
+            .count();
   }
 
   /** Whether the way to the circle or along it is obstructed. */

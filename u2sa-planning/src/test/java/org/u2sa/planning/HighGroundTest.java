@@ -150,6 +150,24 @@ class HighGroundTest extends PlannedVehicle {
     assertThat(logged("the ground at the goal is 14")).isPositive();
   }
 
+  @Test
+  void station_circleThroughTheHill_isGivenUpAtOnce() throws IOException {
+    startAeroplane(150.0);
+    goals(at(new Station().turns(1.0).horizontalThreshold(50.0), HILL_NORTH_M - 600.0, 150.0));
+
+    assertThat(fly(1.0).abandoned()).isTrue();
+    assertThat(logged("the ground is too high along 80 degrees of the circle")).isPositive();
+  }
+
+  @Test
+  void station_circleBesideTheHill_isFlown() throws IOException {
+    startAeroplane(150.0);
+    goals(at(new Station().turns(0.5).horizontalThreshold(50.0), HILL_NORTH_M - 1200.0, 150.0));
+
+    assertThat(fly(200.0).completed()).isTrue();
+    assertThat(lowestM).isGreaterThan(40.0);
+  }
+
   @ParameterizedTest
   @CsvSource({"6, 6", "9, 6"})
   void waypoint_multirotorBeforeAHill_fliesAroundIt(double fromM, double toM) throws IOException {

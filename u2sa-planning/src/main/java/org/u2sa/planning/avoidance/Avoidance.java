@@ -206,6 +206,16 @@ public final class Avoidance {
         && highGround.isBetween(plane, vehicle.on(plane), vehicle.nedOf(to), speedMps, now);
   }
 
+  /** Whether ground is too high at a place of a circle about a centre of the same altitude. */
+  public boolean isGroundAt(Vehicle vehicle, StateInformation state, Place place, Place centre) {
+    lieOn(world.plane(state));
+    Point at = vehicle.on(plane);
+    return state.z().isPresent()
+        && place.upM().isPresent()
+        && highGround.isAt(
+            plane, at.plus(vehicle.nedOf(place)), at.plus(vehicle.nedOf(centre)), settings.get());
+  }
+
   /**
    * Whether a static obstacle, as of the last update, is too close to a straight descent to a point
    * on the ground. Near the ground, the required distance equals the aircraft's height.

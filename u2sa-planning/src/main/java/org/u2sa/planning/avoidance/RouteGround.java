@@ -109,6 +109,22 @@ final class RouteGround {
     return false;
   }
 
+  /**
+   * Whether ground is too high at a place of a circle; likewise.
+   *
+   * @param place north, east and down on the plane [m]
+   * @param centre of the circle, at its altitude; where it is lower than the clearance, that counts
+   */
+  boolean isAt(PlanningPlane plane, Point place, Point centre, AvoidanceVariables now) {
+    if (now.verticalClearance() == 0.0 || !ground.isOn(plane)) {
+      return false;
+    }
+    double centreM = ground.mappedM(centre.x(), centre.y()) - centre.z();
+    double keptM = Math.min(now.verticalClearance(), centreM);
+    double heightM = ground.mappedM(place.x(), place.y()) - place.z();
+    return heightM < (Double.isNaN(keptM) ? now.verticalClearance() : keptM) - ROUGHLY_M;
+  }
+
   /** Distance to keep above ground: a vehicle or goal that is lower sets it [m]. */
   private double keptM(Point at, Point toGoal, AvoidanceVariables now) {
     double hereM = ground.mappedM(at.x(), at.y()) - at.z();
