@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.planning.avoidance.Avoidance;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
@@ -14,6 +15,7 @@ import org.u2sa.planning.guidance.Vehicle;
  */
 final class Detour {
   private static final double SMALL_RAD = Math.toRadians(20.0);
+  private static final double NEAR_M = 10.0; // from a target, where the straight way is short
 
   private final Avoidance avoidance;
   private boolean isTaken;
@@ -106,9 +108,14 @@ final class Detour {
     return avoidance.remainingM().isPresent();
   }
 
-  /** The next step around an obstruction; empty if the straight way is free. */
+  /**
+   * The next step around an obstruction; empty if the straight way is free. An aircraft that can
+   * stop then keeps to its route until it is near: it could not stop on a straight way in time.
+   */
   Optional<Plan> ifHindered(Vehicle vehicle, StateInformation state, Avoidance.Wanted wanted) {
-    boolean isHindered = isHindered(vehicle, state, wanted.target());
+    Point to = vehicle.nedOf(wanted.target());
+    boolean goesOn = isTaken && isOfAircraftThatStops(state) && Math.hypot(to.x(), to.y()) > NEAR_M;
+    boolean isHindered = goesOn || isHindered(vehicle, state, wanted.target());
     if (isHindered != isTaken) {
       begin();
       isTaken = isHindered;

@@ -85,6 +85,7 @@ final class VerticalDescent implements LandingState.Descent {
                   OptionalDouble.empty(),
                   goal.speed()));
       if (around.isPresent()) {
+        guidance.begin(Optional.empty()); // the line that it has left may be obstructed
         return around.get();
       }
       Point body = guidance.towards(vehicle, over, goal.horizontalThreshold(), Optional.empty());

@@ -111,7 +111,11 @@ class HighGroundTest extends PlannedVehicle {
   }
 
   private GoalInformation fly(double limitS) {
-    while (kit.nowS() < limitS && kit.latest(Channels.GOAL_REPORTS).isEmpty()) {
+    return fly("1", limitS);
+  }
+
+  private GoalInformation fly(String goal, double limitS) {
+    while (kit.nowS() < limitS && !isReported(goal)) {
       kit.publish(Channels.OBJECTS, new ObjectList()); // an empty sky
       kit.publish(Channels.STATE, aircraft.state());
       aircraft.step(STEP_S, kit.latest(Channels.NAVIGATION));
@@ -119,6 +123,12 @@ class HighGroundTest extends PlannedVehicle {
       kit.advance(STEP_S);
     }
     return kit.latest(Channels.GOAL_REPORTS).orElseThrow();
+  }
+
+  private boolean isReported(String goal) {
+    return kit.latest(Channels.GOAL_REPORTS)
+        .filter(report -> report.uid().equals(goal))
+        .isPresent();
   }
 
   @ParameterizedTest
@@ -184,6 +194,20 @@ class HighGroundTest extends PlannedVehicle {
     goals(at(new Station().duration(1.0).horizontalThreshold(2.0), 240.0, 6.0));
 
     assertThat(fly(150.0).completed()).isTrue();
+    assertThat(lowestM).isGreaterThan(3.0);
+  }
+
+  /** The line from one to the other leads through the hill. */
+  @Test
+  void station_multirotorLeavesAnotherBeforeTheHill_keepsToItsRoute() throws IOException {
+    startMultirotor(4.0);
+    goals(at(new Station().duration(1.0).horizontalThreshold(2.0), 60.0, 4.0));
+    fly(60.0);
+    Waypoint beyond = at(new Station().duration(1.0).horizontalThreshold(2.0), 240.0, 6.0);
+    beyond.uid("2");
+    goals(beyond);
+
+    assertThat(fly("2", 250.0).completed()).isTrue();
     assertThat(lowestM).isGreaterThan(3.0);
   }
 }

@@ -107,6 +107,25 @@ class VerticalWayTest extends VerticalFlight {
     assertThat(kit.latest(Channels.GOAL_REPORTS).orElseThrow().abandoned()).isTrue();
   }
 
+  /** Its speed is that of routes; lines leave it to control. */
+  @Test
+  void landing_wayThereIsFreeAgain_keepsToItsRoute() {
+    start(15.0);
+    begin(new Landing().x(40.0).y(0.0).z(0.0));
+    Circle pole = new Circle().radius(0.3);
+    pole.uid("pole").referenceFrame(ReferenceFrame.LOCAL_NED).x(25.0).y(0.0);
+    step(0.0, pole);
+    assertThat(isOnRoute()).isTrue();
+    for (int i = 0; i < 10; i++) {
+      step(0.0);
+    }
+    assertThat(isOnRoute()).isTrue();
+  }
+
+  private boolean isOnRoute() {
+    return kit.latest(Channels.NAVIGATION).orElseThrow().speed().isPresent();
+  }
+
   @Test
   void landing_onAMappedRoof_reachesIt() {
     start(25.0);

@@ -444,7 +444,9 @@ public final class Avoidance {
             pose, toGoal, wanted, vehicle, world.costs().frame().cellM(), now, lines.get());
     routes.update(situation);
     Optional<VerticalRoom> room =
-        climbing.room(state, at, toGoal, wanted.target(), now, world, plane, Optional.empty());
+        climbing
+            .room(state, at, toGoal, wanted.target(), now, world, plane, Optional.empty())
+            .map(each -> now.stops() ? each.descendingTo(highGround::lowestM) : each);
     List<Mover> traffic = room.isPresent() ? world.allMovers() : world.movers();
     ArcChoice choice = current.choose(arcs(situation, vehicle, traffic, room), situation);
     climbing.chosen(choice, at, micros);
@@ -467,7 +469,8 @@ public final class Avoidance {
     AvoidanceVariables now = settings.get();
     // without a route, it does not descend to what may be between it and the goal
     boolean staysHigh = highGround.counts() && routes.track().isEmpty();
-    double levelM = staysHigh ? Math.min(0.0, toGoal.z()) : toGoal.z();
+    double wayM = staysHigh ? Math.min(0.0, toGoal.z()) : toGoal.z();
+    double levelM = now.stops() ? highGround.above(at, vehicle, wayM, now) : wayM;
     double downM = Double.isNaN(choice.toDownM()) ? levelM : choice.toDownM() - at.z();
     return new Step(
         Point.of(

@@ -4,6 +4,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.DoubleSupplier;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.seen.FlightProfile;
 import org.u2sa.planning.seen.PlanningPlane;
 import org.u2sa.planning.seen.SeenWorld;
@@ -20,11 +21,17 @@ final class RouteGround {
   private static final double FARTHEST_M = 5000.0; // a way is checked so far ahead
   private static final double ROUNDING_M = 0.01; // on the way to a goal as low as its clearance
   private static final double STEP_M = 5.0; // between checked positions, at least
+  private static final double NEXT_M = 1.0; // likewise, of the way to stop
+  private static final double NEAR_M = 10.0; // from its goal, it descends at once
 
   private final GroundMap ground;
   private final SeenWorld world;
   private final DoubleSupplier slope;
   private Optional<FlightProfile> profile = Optional.empty();
+  private PlanningPlane on;
+  private double goalNorthM; // on the plane
+  private double goalEastM;
+  private double aboveM; // distance to keep above ground
 
   /**
    * @param slope slope of climbs and descents of vehicles without EVASION CLIMB
@@ -76,6 +83,10 @@ final class RouteGround {
     if (!isFlown(at, goalDownM, keptM, now.verticalClearance())) {
       profile = Optional.of(flown(at, toGoal, keptM, speedMps, now));
     }
+    on = plane;
+    goalNorthM = at.x() + toGoal.x();
+    goalEastM = at.y() + toGoal.y();
+    aboveM = keptM;
     world.flyAbove(profile, ground::mappedM);
     double goalM = ground.mappedM(at.x() + toGoal.x(), at.y() + toGoal.y()) - goalDownM;
     return goalM < -ROUGHLY_M
@@ -83,6 +94,45 @@ final class RouteGround {
             String.format(
                 Locale.ROOT, "the ground at the goal is %.0f m higher than the goal", -goalM))
         : Optional.empty();
+  }
+
+  /**
+   * Lowest altitude to which a vehicle that can stop descends on its route: above the ground and,
+   * among high ground, to the altitude for which the route is planned. Down coordinate at a
+   * position on the plane [m]; ∞ if no ground counts.
+   */
+  double lowestM(double north, double east) {
+    if (profile.isEmpty()) {
+      return Double.POSITIVE_INFINITY;
+    }
+    boolean isNear = Math.hypot(north - goalNorthM, east - goalEastM) < NEAR_M;
+    return isNear || world.highGround().isEmpty()
+        ? aboveGroundM(north, east)
+        : Math.min(aboveGroundM(north, east), profile.get().downM(north, east));
+  }
+
+  private double aboveGroundM(double north, double east) {
+    double down = ground.downM(on, north, east) - aboveM;
+    return Double.isNaN(down) ? Double.POSITIVE_INFINITY : down;
+  }
+
+  /**
+   * Part of a climb or descent, down [m], that keeps such a vehicle above the ground where it is
+   * and wherever it passes before it can stop.
+   *
+   * @param at vehicle on the plane [m]
+   */
+  double above(Point at, Vehicle vehicle, double wayM, AvoidanceVariables now) {
+    double lowestM = lowestM(at.x(), at.y());
+    double mps = Math.hypot(vehicle.northMps(), vehicle.eastMps());
+    double stopsM = mps * now.reactionTime() + mps * mps / (2.0 * now.plannedBraking());
+    for (double alongM = NEXT_M; profile.isPresent() && alongM <= stopsM; alongM += NEXT_M) {
+      double share = alongM / mps;
+      double north = at.x() + share * vehicle.northMps();
+      double east = at.y() + share * vehicle.eastMps();
+      lowestM = Math.min(lowestM, aboveGroundM(north, east));
+    }
+    return Math.min(wayM, lowestM - at.z());
   }
 
   /**
@@ -102,7 +152,11 @@ final class RouteGround {
     for (double along = 0.0; along <= lengthM; along += stepM) {
       double n = at.x() + along * north;
       double e = at.y() + along * east;
-      if (straight.isTooHigh(n, e, ground.mappedM(n, e) + ROUNDING_M)) {
+      double groundM = ground.mappedM(n, e) + ROUNDING_M;
+      // lines may climb evenly
+      double evenlyM = at.z() + along / Math.max(ROUNDING_M, lengthM) * Math.min(0.0, way.z());
+      boolean isLow = now.stops() && evenlyM + straight.keptM() > groundM;
+      if (isLow || straight.isTooHigh(n, e, groundM)) {
         return true;
       }
     }

@@ -162,7 +162,7 @@ final class RouteKeeper {
   private String reason(Route route) {
     return route.exists() || route.goesOn() || world.highGround().isEmpty()
         ? route.obstacle()
-        : route.obstacle() + ", which include ground that is too high";
+        : route.obstacle() + " (ground that is too high counts as one)";
   }
 
   private Route plan(Situation now) {

@@ -63,11 +63,12 @@ final class MotionForecast {
   }
 
   /** Down coordinate of the vehicle on its way to an altitude, or to that of the goal [m]. */
-  private double downM(double toDownM, double seconds) {
-    return room == null
-        ? 0.0
-        : room.afterM(
-            Double.isNaN(toDownM) ? room.goalDownM() : toDownM, seconds - limits.reactionS());
+  private double downM(Pose at, double toDownM, double seconds) {
+    if (room == null) {
+      return 0.0;
+    }
+    double changesS = seconds - limits.reactionS();
+    return Double.isNaN(toDownM) ? room.onWayM(at, changesS) : room.afterM(toDownM, changesS);
   }
 
   /**
@@ -84,7 +85,7 @@ final class MotionForecast {
         v = Math.max(0.0, v - limits.brakingMps2() * stepS);
       }
       at = at.along(Math.copySign(v * stepS, startMps), 0.0);
-      double down = downM(toDownM, t);
+      double down = downM(at, toDownM, t);
       tally.look(at, down, t);
       if (!Double.isNaN(toDownM) && room != null && room.isBlocked(at, down)) {
         return tally.outcome(0.0);
@@ -166,11 +167,11 @@ final class MotionForecast {
           freeM = Math.max(0.0, gone - step);
         }
       }
-      if (freeM == NEVER && isBlockedElsewhere(at, downM(motion.toDownM(), t), motion, gone)) {
+      if (freeM == NEVER && isBlockedElsewhere(at, downM(at, motion.toDownM(), t), motion, gone)) {
         freeM = Math.max(0.0, gone - step);
       }
       if (looks && t <= limits.horizonS()) {
-        tally.look(at, downM(motion.toDownM(), t), t);
+        tally.look(at, downM(at, motion.toDownM(), t), t);
       }
       boolean seenAll = gone >= farM && !looks && !toHorizon;
       if (seenAll || freeM < NEVER || (v < STANDS_MPS && t > limits.horizonS())) {
@@ -230,7 +231,7 @@ final class MotionForecast {
   /** Whether a vehicle that cannot stop can circle to either side at the end of an arc. */
   boolean canCircleAfter(Motion motion) {
     Pose from = start.along(motion.sign() * motion.arcM(), motion.curvature());
-    double downM = downM(motion.toDownM(), motion.arcM() / motion.speedMps());
+    double downM = downM(from, motion.toDownM(), motion.arcM() / motion.speedMps());
     double radius = 1.1 * limits.turnRadiusM();
     double step = Math.max(costs.frame().cellM(), 0.1 * radius);
     for (int side = -1; side <= 1; side += 2) {

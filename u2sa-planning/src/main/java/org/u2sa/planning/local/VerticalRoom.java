@@ -21,6 +21,8 @@ import org.u2sa.planning.seen.PlanarShape;
  * @param elsewhere static obstacles at other altitudes than those between vehicle and goal
  * @param ground down coordinate of the ground at north and east; NaN if unknown
  * @param before direction of its last evasion: 1 up, −1 down, 0 none
+ * @param lowest down coordinate at north and east, below which it does not descend to its goal; ∞
+ *     where it descends at once
  */
 public record VerticalRoom(
     double downM,
@@ -34,9 +36,40 @@ public record VerticalRoom(
     double bottomDownM,
     List<PlanarShape> elsewhere,
     DoubleBinaryOperator ground,
-    int before) {
+    int before,
+    DoubleBinaryOperator lowest) {
 
   private static final double ROUNDING_M = 1.0e-6;
+
+  /** Room of a vehicle that descends to its goal at once. */
+  public VerticalRoom(
+      double downM,
+      double goalDownM,
+      double rateMps,
+      double clearanceM,
+      double groundM,
+      double levelM,
+      double besideM,
+      double topDownM,
+      double bottomDownM,
+      List<PlanarShape> elsewhere,
+      DoubleBinaryOperator ground,
+      int before) {
+    this(
+        downM,
+        goalDownM,
+        rateMps,
+        clearanceM,
+        groundM,
+        levelM,
+        besideM,
+        topDownM,
+        bottomDownM,
+        elsewhere,
+        ground,
+        before,
+        (north, east) -> Double.POSITIVE_INFINITY);
+  }
 
   /** The same room without climbing. */
   public VerticalRoom withoutClimb() {
@@ -52,7 +85,26 @@ public record VerticalRoom(
         bottomDownM,
         elsewhere,
         ground,
-        before);
+        before,
+        lowest);
+  }
+
+  /** The same room with other lowest altitudes on the way to the goal. */
+  public VerticalRoom descendingTo(DoubleBinaryOperator lowestM) {
+    return new VerticalRoom(
+        downM,
+        goalDownM,
+        rateMps,
+        clearanceM,
+        groundM,
+        levelM,
+        besideM,
+        topDownM,
+        bottomDownM,
+        elsewhere,
+        ground,
+        before,
+        lowestM);
   }
 
   /** Altitudes for an evasion, in order of preference: the current one, then reachable ones. */
@@ -67,6 +119,12 @@ public record VerticalRoom(
   double afterM(double toDownM, double seconds) {
     double change = rateMps * Math.max(0.0, seconds);
     return downM + Math.max(-change, Math.min(change, toDownM - downM));
+  }
+
+  /** Likewise on its way to the altitude of its goal, at a position. */
+  double onWayM(Pose at, double seconds) {
+    double lowestM = lowest.applyAsDouble(at.northM(), at.eastM());
+    return Math.min(afterM(goalDownM, seconds), Math.max(downM, lowestM));
   }
 
   /** Whether known ground is too close to a vehicle that keeps to the altitude of its goal. */

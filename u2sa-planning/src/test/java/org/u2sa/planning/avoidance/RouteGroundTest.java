@@ -1,6 +1,7 @@
 package org.u2sa.planning.avoidance;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -14,6 +15,7 @@ import org.u2sa.interfaces.terrain.HeightGrid;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.search.CostGrid;
 import org.u2sa.planning.seen.PlanningPlane;
 
@@ -129,5 +131,50 @@ class RouteGroundTest {
     assertThat(isBetween(30.0, 15.0, 0.0)).isFalse();
     assertThat(isBetween(30.0, 60.0, 40.0)).isTrue(); // climbs by 1 m in 10 m
     assertThat(isBetween(30.0, -100.0, 0.0)).isFalse();
+  }
+
+  /** The ground rises as far as the vehicle needs to stop. */
+  @Test
+  void above_fliesTowardsRisingGround_descendsOnlyToTheClearanceWhereItCanStop() {
+    see(25.0, -50.0, -25.0);
+    Point at = Point.of(0.0, 0.0, -25.0);
+
+    assertThat(watch.above(at, moving(0.0), 20.0, bench.settings)).isCloseTo(15.0, within(0.1));
+    assertThat(watch.above(at, moving(4.0), 20.0, bench.settings))
+        .isCloseTo(15.0 - stopsM(4.0), within(1.1));
+  }
+
+  @Test
+  void above_lowerThanTheClearance_climbs() {
+    see(15.0, -5.0, 0.0);
+    Point low = Point.of(0.0, 0.0, -7.0);
+
+    assertThat(watch.above(low, moving(0.0), 0.0, bench.settings)).isCloseTo(-3.0, within(0.1));
+  }
+
+  @Test
+  void lowestM_amongHighGround_isTheAltitudeForWhichTheRouteIsPlanned() {
+    see(15.0, -100.0, -8.0);
+
+    assertThat(watch.lowestM(-30.0, 0.0)).isCloseTo(-12.0, within(0.1)); // 0.1 of 30 m
+    assertThat(watch.lowestM(-95.0, 0.0)).isGreaterThan(50.0); // near the goal, above the ground
+  }
+
+  @Test
+  void lowestM_noGroundCounts_isNone() {
+    watch.leave();
+
+    assertThat(watch.lowestM(0.0, 0.0)).isInfinite();
+  }
+
+  private double stopsM(double mps) {
+    AvoidanceVariables now = bench.settings;
+    return mps * now.reactionTime() + mps * mps / (2.0 * now.plannedBraking());
+  }
+
+  private Vehicle moving(double northMps) {
+    return Vehicle.of(
+            new StateInformation().x(10.0).y(0.0).z(0.0).psi(0.0).xDot(0.0).yDot(northMps))
+        .orElseThrow();
   }
 }

@@ -326,4 +326,32 @@ class VerticalRoomTest {
   void isGroundNear_groundUnknown_isFalse() {
     assertThat(room(-200.0, -10.0, UNKNOWN).isGroundNear(ORIGIN, HERE + 40.0)).isFalse();
   }
+
+  @Test
+  void onWayM_descentToItsGoal_endsAtTheLowestAltitudeThere() {
+    VerticalRoom room =
+        goalAt(HERE + 30.0).descendingTo((north, east) -> HERE + (north > 50.0 ? 10.0 : -5.0));
+    Pose beyond = new Pose(100.0, 0.0, 0.0);
+
+    assertThat(room.onWayM(beyond, 2.0)).isEqualTo(HERE + 6.0);
+    assertThat(room.onWayM(beyond, 9.0)).isEqualTo(HERE + 10.0);
+    assertThat(room.onWayM(ORIGIN, 9.0)).isEqualTo(HERE); // it need not climb at once
+    assertThat(goalAt(HERE + 30.0).onWayM(ORIGIN, 9.0)).isEqualTo(HERE + 27.0);
+  }
+
+  private static VerticalRoom goalAt(double downM) {
+    return new VerticalRoom(
+        HERE,
+        downM,
+        3.0,
+        CLEARANCE,
+        CLEARANCE,
+        CLEARANCE,
+        3.0,
+        Double.NEGATIVE_INFINITY,
+        Double.POSITIVE_INFINITY,
+        List.of(),
+        UNKNOWN,
+        0);
+  }
 }
