@@ -9,7 +9,7 @@ import org.u2sa.planning.local.RouteTrack;
 final class Following implements Behaviour {
   private final RouteTrack track;
   private final ProgressWatch watch; // progress toward the goal, on any route
-  private double nearestM = Double.POSITIVE_INFINITY; // shortest remaining route so far
+  private final NearestYet nearest = new NearestYet();
   private long nearestMicros;
 
   Following(RouteTrack track, ProgressWatch watch) {
@@ -33,14 +33,12 @@ final class Following implements Behaviour {
 
   @Override
   public Optional<String> givesUp(Situation now) {
-    return watch.circles(now.remainingM(track), now);
+    return watch.circles(track.remainingM(), now);
   }
 
   @Override
   public boolean isStuck(Situation now) {
-    double remaining = now.remainingM(track);
-    if (remaining < nearestM - now.progressM()) {
-      nearestM = remaining;
+    if (nearest.isNearer(track.remainingM(), now)) {
       nearestMicros = now.micros();
     }
     return now.settings().stops() && now.micros() - nearestMicros >= now.settings().stuckMicros();

@@ -12,7 +12,7 @@ final class ProgressWatch {
   /** Without progress, a goal is abandoned after this many times the route's travel time. */
   private static final double MAX_ROUTES = 4.0;
 
-  private double nearestM = Double.POSITIVE_INFINITY; // shortest remaining route to this goal [m]
+  private final NearestYet nearest = new NearestYet();
   private double longestM; // longest remaining route since then [m]
   private long nearestMicros;
 
@@ -28,8 +28,7 @@ final class ProgressWatch {
   /** Reason for giving up a goal without progress, or empty. */
   Optional<String> circles(double remainingM, Situation now) {
     longestM = Math.max(longestM, remainingM);
-    if (remainingM < nearestM - now.progressM()) {
-      nearestM = remainingM;
+    if (nearest.isNearer(remainingM, now)) {
       longestM = remainingM;
       nearestMicros = now.micros();
     }

@@ -7,7 +7,6 @@ import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.guidance.LineSettings;
 import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.local.MotionLimits;
-import org.u2sa.planning.local.RouteTrack;
 import org.u2sa.planning.search.BodyDiscs;
 
 /**
@@ -102,11 +101,6 @@ record Situation(
   static double turnRadiusM(AvoidanceVariables now, LineSettings lines, double speedMps) {
     double speed = Math.max(speedMps, Math.max(now.plannedSpeed(), now.minSpeed()));
     return now.turnRadius() > 0.0 ? now.turnRadius() : lines.turns().radiusM(speed);
-  }
-
-  /** Way to the goal along a route, and up or down [m]: a descent in place is progress, too. */
-  double remainingM(RouteTrack track) {
-    return track.remainingM() + heightM;
   }
 
   /** Smaller movements do not count as progress [m]. */

@@ -24,7 +24,7 @@ class MultipathTest {
   }
 
   @ParameterizedTest
-  @ValueSource(longs = 2)
+  @ValueSource(longs = {3, 9})
   void demo_reflectedSignals_doNotDrawThePositionAlong(long seed) {
     CommandLineRun run =
         IgvcRun.of(
