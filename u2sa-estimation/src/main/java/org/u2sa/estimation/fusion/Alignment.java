@@ -87,7 +87,7 @@ final class Alignment {
       double mps = s.x[FilterState.V + i] + measured.innovation[i];
       velocity(s, i, mps, factor * measured.variance[i]);
     }
-    s.isVelocityLost = false;
+    s.reopenedMicros = Long.MIN_VALUE / 2;
   }
 
   /** Rotates the nominal attitude about the vertical to the given heading [rad]. */

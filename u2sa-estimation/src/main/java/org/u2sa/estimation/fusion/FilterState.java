@@ -93,7 +93,6 @@ final class FilterState {
   boolean hasFlow;
   boolean isInertial; // angular rates drive the attitude
   boolean isStrapdown; // and specific forces the velocity
-  boolean isVelocityLost; // until a velocity over ground is measured
   long startedMicros;
   long gyroMicros; // time of the newest inertial input
   long forceMicros;
@@ -116,6 +115,7 @@ final class FilterState {
   long turnedMicros = Long.MIN_VALUE / 2; // when wheels last measured a turn
   long slidingMicros; // since when the no-sideslip constraint is refused; 0: it is met
   long accusedMicros; // when an inertial source was found faulty; 0: never
+  long reopenedMicros = Long.MIN_VALUE / 2; // when the velocity was lost; until it is measured
   long resets;
   final int[] persistentSource = unassigned(PERSISTENT_SLOTS); // by slot
   final int[] delaySource = unassigned(DELAY_SLOTS); // by slot
@@ -151,7 +151,7 @@ final class FilterState {
     hasFlow = o.hasFlow;
     isInertial = o.isInertial;
     isStrapdown = o.isStrapdown;
-    isVelocityLost = o.isVelocityLost;
+    reopenedMicros = o.reopenedMicros;
     startedMicros = o.startedMicros;
     gyroMicros = o.gyroMicros;
     forceMicros = o.forceMicros;

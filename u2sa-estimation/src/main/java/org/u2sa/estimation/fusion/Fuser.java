@@ -176,7 +176,8 @@ final class Fuser {
       double variance = Math.max(linear.variance[0], linear.variance[1]);
       MotionHeading.velocity(s.motion, source, north, east, variance);
     }
-    if (s.isVelocityLost && quantity == SensedQuantity.VELOCITY && m.isWhole(quantity)) {
+    boolean isLost = (s.micros - s.reopenedMicros) / MICROS < SPEED_FRESH_S;
+    if (isLost && quantity == SensedQuantity.VELOCITY && m.isWhole(quantity)) {
       Alignment.velocity(s, linear, SourceTrust.factor(s, at));
       count(s, at, SourceTrust.USED);
       used(s, m, quantity);

@@ -143,7 +143,7 @@ final class InertialContradiction {
       s.isolate(FilterState.FORCE_BIAS + i, tuning.forceBiasSigma() * tuning.forceBiasSigma());
       s.x[FilterState.LEVELLING + i] = 0.0;
     }
-    s.isVelocityLost = true;
+    s.reopenedMicros = s.micros;
     Alignment.wheelScale(s, tuning);
     DelayErrors.reopen(s, tuning);
     s.x[FilterState.LEVELLED] = 0.0;

@@ -73,24 +73,15 @@ public record VerticalRoom(
 
   /** The same room without climbing. */
   public VerticalRoom withoutClimb() {
-    return new VerticalRoom(
-        downM,
-        goalDownM,
-        rateMps,
-        clearanceM,
-        groundM,
-        levelM,
-        besideM,
-        Math.max(topDownM, downM),
-        bottomDownM,
-        elsewhere,
-        ground,
-        before,
-        lowest);
+    return with(Math.max(topDownM, downM), lowest);
   }
 
   /** The same room with other lowest altitudes on the way to the goal. */
   public VerticalRoom descendingTo(DoubleBinaryOperator lowestM) {
+    return with(topDownM, lowestM);
+  }
+
+  private VerticalRoom with(double highestDownM, DoubleBinaryOperator lowestM) {
     return new VerticalRoom(
         downM,
         goalDownM,
@@ -99,7 +90,7 @@ public record VerticalRoom(
         groundM,
         levelM,
         besideM,
-        topDownM,
+        highestDownM,
         bottomDownM,
         elsewhere,
         ground,
