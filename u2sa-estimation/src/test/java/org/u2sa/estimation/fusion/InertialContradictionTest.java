@@ -1,9 +1,12 @@
 package org.u2sa.estimation.fusion;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 import org.u2sa.estimation.measurement.SensedQuantity;
+import org.u2sa.estimation.rotation.MotionHeading;
+import org.u2sa.estimation.rotation.Quaternions;
 
 /** A receiver and the motors contradict an estimate that an encoder of the wrong scale supports. */
 class InertialContradictionTest {
@@ -41,5 +44,32 @@ class InertialContradictionTest {
     assertThat(state.trust[motors + SourceTrust.DOUBT_MPS]).isZero();
     assertThat(state.trust[motors + SourceTrust.STREAK]).isZero();
     assertThat(contradiction.isShown(state)).isFalse();
+  }
+
+  /** True accelerations turn to the right; the forces show them 1 rad too far to the right. */
+  @Test
+  void turnHeading_receiverShowsAnotherHeading_takesIt() {
+    double north = 0.0;
+    double east = 0.0;
+    for (int i = 0; i < 100; i++) {
+      double course = 0.07 * i;
+      north += 0.2 * Math.cos(course);
+      east += 0.2 * Math.sin(course);
+      MotionHeading.accelerate(
+          state.motion, 2.0 * Math.cos(course + 1.0), 2.0 * Math.sin(course + 1.0), 0.1);
+      MotionHeading.velocity(state.motion, 0, north, east, 0.01);
+    }
+    state.trust[gps + SourceTrust.STREAK] = 2.0;
+    assertThat(contradiction.isOfHeading(state, SensedQuantity.PLACE, gps)).isFalse();
+    state.trust[gps + SourceTrust.STREAK] = 3.0;
+    assertThat(contradiction.isOfHeading(state, SensedQuantity.PLACE, gps)).isTrue();
+
+    contradiction.turnHeading(state);
+
+    double[] r = new double[9];
+    Quaternions.matrix(state.x, FilterState.Q, r);
+    assertThat(Quaternions.psi(r)).isCloseTo(-1.0, within(0.05));
+    assertThat(contradiction.isOfHeading(state, SensedQuantity.PLACE, gps)).isFalse();
+    assertThat(MotionHeading.isFollowed(state.motion)).isTrue();
   }
 }
