@@ -2,6 +2,7 @@ package org.u2sa.planning;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
@@ -16,6 +17,7 @@ import org.u2sa.planning.guidance.Vehicle;
 final class Detour {
   private static final double SMALL_RAD = Math.toRadians(20.0);
   private static final double NEAR_M = 10.0; // from a target, where the straight way is short
+  private static final double TURN_REACH = 2.5; // of a turn back, ahead [turning radii]
 
   private final Avoidance avoidance;
   private boolean isTaken;
@@ -109,18 +111,51 @@ final class Detour {
   }
 
   /**
-   * The next step around an obstruction; empty if the straight way is free. An aircraft that can
-   * stop then keeps to its route until it is near: it could not stop on a straight way in time.
+   * The next step around an obstruction; empty if the straight way is free. A vehicle that has to
+   * turn first needs a free way ahead, too, and then keeps to its route until it has turned. An
+   * aircraft that can stop keeps to it until it is near: it could not stop on a straight way in
+   * time.
+   *
+   * @param isTurned whether the vehicle already moves on the straight way
    */
-  Optional<Plan> ifHindered(Vehicle vehicle, StateInformation state, Avoidance.Wanted wanted) {
+  Optional<Plan> ifHindered(
+      Vehicle vehicle, StateInformation state, Avoidance.Wanted wanted, boolean isTurned) {
     Point to = vehicle.nedOf(wanted.target());
-    boolean goesOn = isTaken && isOfAircraftThatStops(state) && Math.hypot(to.x(), to.y()) > NEAR_M;
-    boolean isHindered = goesOn || isHindered(vehicle, state, wanted.target());
+    double reachM = turnReachM(vehicle);
+    boolean turns = reachM > 0.0 && !isTurned;
+    boolean isFar = isOfAircraftThatStops(state) ? Math.hypot(to.x(), to.y()) > NEAR_M : turns;
+    boolean isHindered =
+        isTaken && isFar
+            || isHindered(vehicle, state, wanted.target())
+            || turns && isHinderedAhead(vehicle, state, reachM, wanted.target());
     if (isHindered != isTaken) {
       begin();
       isTaken = isHindered;
     }
     return isHindered ? Optional.of(step(vehicle, state, wanted)) : Optional.empty();
+  }
+
+  /**
+   * How far ahead a turn back leads, at most [m]; 0 for vehicles that turn in place, and without a
+   * route planner.
+   */
+  double turnReachM(Vehicle vehicle) {
+    return avoidance.isOn() ? TURN_REACH * avoidance.turnRadiusM(vehicle) : 0.0;
+  }
+
+  private boolean isHinderedAhead(
+      Vehicle vehicle, StateInformation state, double distanceM, Place target) {
+    double course = vehicle.courseRad();
+    Place ahead = vehicle.place().moved(distanceM * Math.cos(course), distanceM * Math.sin(course));
+    OptionalDouble upM = target.upM();
+    Place to = upM.isPresent() ? ahead.at(upM.getAsDouble()) : ahead;
+    return avoidance.isHindered(vehicle, state, to)
+        || avoidance.isGroundAhead(vehicle, state, vehicle.place(), to);
+  }
+
+  /** Whether ground is too high for a straight way from one position to another. */
+  boolean isGroundOnWay(Vehicle vehicle, StateInformation state, Place from, Place to) {
+    return avoidance.isOn() && avoidance.isGroundAhead(vehicle, state, from, to);
   }
 
   /** The next step of the planned route; ends the pursuit if there is none. */

@@ -33,6 +33,7 @@ import org.u2sa.planning.guidance.LineSettings.AltitudeProfile;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.guidance.ViewPoints;
+import org.u2sa.planning.guidance.WaypointAccuracy;
 import org.u2sa.planning.guidance.WaypointGuidance;
 import org.u2sa.planning.payload.PayloadReleases;
 import org.u2sa.planning.rightofway.RightOfWayVariables;

@@ -3,7 +3,6 @@ package org.u2sa.planning;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
@@ -11,7 +10,6 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.PayloadDrop;
-import org.u2sa.planning.avoidance.Avoidance;
 import org.u2sa.planning.flight.FlightVariables;
 import org.u2sa.planning.guidance.AirMass;
 import org.u2sa.planning.guidance.LineGuidance;
@@ -38,7 +36,7 @@ final class PayloadDropState implements PlannerState {
   private static final double HEIGHT_ERROR_M = 2.0; // without vertical threshold
   private static final double HEIGHT_SHARE = 0.1; // of the height; the larger of both applies
 
-  private final Detour detour;
+  private final DropApproach approach;
   private final Supplier<LineSettings> lines;
   private final Supplier<FlightVariables> settings;
   private final PayloadReleases releases;
@@ -59,7 +57,7 @@ final class PayloadDropState implements PlannerState {
       Supplier<FlightVariables> settings,
       PayloadReleases releases) {
     this.releases = releases;
-    this.detour = detour;
+    approach = new DropApproach(detour);
     this.lines = lines;
     this.settings = settings;
     guidance = new LineGuidance(lines);
@@ -110,7 +108,7 @@ final class PayloadDropState implements PlannerState {
   }
 
   private void approach() {
-    detour.begin();
+    approach.begin();
     straighten();
   }
 
@@ -143,23 +141,17 @@ final class PayloadDropState implements PlannerState {
     Place aim = place.moved(-aside.x(), -aside.y()).at(flyAtM);
     Optional<Plan> around =
         releasedMicros == Long.MIN_VALUE
-            ? detour.ifHindered(
-                vehicle,
-                pursuit.state(),
-                new Avoidance.Wanted(
-                    goal.uid(),
-                    aim,
-                    goal.horizontalThreshold(),
-                    OptionalDouble.empty(),
-                    goal.speed()))
+            ? approach.step(goal, vehicle, pursuit.state(), aim, guidance.isApproaching())
             : Optional.empty();
     if (around.isPresent()) {
       straighten();
-      return around.get();
     }
     NavigationPoint point =
         NavigationPoint.at(guidance.towards(vehicle, aim, 1.0, Optional.empty()));
     goal.speed().ifPresent(point::speed);
+    if (around.isPresent()) {
+      return around.get();
+    }
 
     double highM = to.z() - (flyAtM - upM);
     double mostM =

@@ -5,6 +5,7 @@ import java.util.function.Supplier;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.planning.guidance.WaypointAccuracy;
 import org.u2sa.service.U2SAService;
 
 /** What a planner tells its operator about the current goal; a lasting problem is told once. */

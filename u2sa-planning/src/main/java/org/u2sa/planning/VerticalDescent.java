@@ -83,7 +83,8 @@ final class VerticalDescent implements LandingState.Descent {
                   over,
                   goal.horizontalThreshold(),
                   OptionalDouble.empty(),
-                  goal.speed()));
+                  goal.speed()),
+              guidance.isApproaching());
       if (around.isPresent()) {
         guidance.begin(Optional.empty()); // the line that it has left may be obstructed
         return around.get();

@@ -21,6 +21,7 @@ import org.u2sa.planning.guidance.ApproachWatch;
 import org.u2sa.planning.guidance.Leg;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
+import org.u2sa.planning.guidance.WaypointAccuracy;
 import org.u2sa.planning.guidance.WaypointGuidance;
 import org.u2sa.planning.rightofway.RightOfWayWatch;
 import org.u2sa.planning.rightofway.RightOfWayWatch.Order;

@@ -15,11 +15,13 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.ObjectList;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.PayloadDrop;
 import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.Waypoint;
 
@@ -175,6 +177,28 @@ class HighGroundTest extends PlannedVehicle {
     goals(at(new Station().turns(0.5).horizontalThreshold(50.0), HILL_NORTH_M - 1200.0, 150.0));
 
     assertThat(fly(200.0).completed()).isTrue();
+    assertThat(lowestM).isGreaterThan(40.0);
+  }
+
+  /** Each pass is too high, and the way straight on leads into the hill. */
+  @ParameterizedTest
+  @CsvSource({"1600", "2000", "2300"})
+  void payloadDrop_passesBeforeTheHill_areRepeatedFromWhereThereIsRoom(double north)
+      throws IOException {
+    startAeroplane(150.0);
+    aircraft =
+        new TestAircraft(0.0, 0.0, 150.0, 0.0) {
+          @Override
+          void step(double dtS, Optional<NavigationPoint> point) {
+            super.step(dtS, point);
+            altitude = 150.0;
+          }
+        };
+    ActuatorAnnouncement release = new ActuatorAnnouncement().minimum(0.0).maximum(100.0);
+    kit.publish(Channels.ACTUATORS, release.actuatorName("BOTTLE").percentage(0.0));
+    goals(at(new PayloadDrop().payload("BOTTLE").height(120.0).horizontalThreshold(9.0), north, 5));
+
+    assertThat(fly(600.0).reason().orElseThrow()).isEqualTo("given up: was 25 m too high");
     assertThat(lowestM).isGreaterThan(40.0);
   }
 

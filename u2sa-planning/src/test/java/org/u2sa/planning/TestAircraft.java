@@ -9,7 +9,7 @@ import org.u2sa.messages.frame.Point;
  * 46 m/s, 25° of bank at most, which it reaches in about a second; climbs and sinks at 3 m/s at
  * most.
  */
-final class TestAircraft extends TestVehicle {
+class TestAircraft extends TestVehicle {
   private static final double BANK_LIMIT = Math.toRadians(25.0);
   private static final double ROLL_TIME_S = 0.7;
   private double bank;

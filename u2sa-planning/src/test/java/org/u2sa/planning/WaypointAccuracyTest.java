@@ -9,6 +9,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.planning.guidance.WaypointAccuracy;
 
 class WaypointAccuracyTest extends PlannedVehicle {
   private static StateInformation known(double northM, double sigmaM) {

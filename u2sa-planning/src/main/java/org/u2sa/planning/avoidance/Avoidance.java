@@ -157,6 +157,11 @@ public final class Avoidance {
     return Situation.turnRadiusM(settings.get(), lines.get(), 0.0) == 0.0;
   }
 
+  /** Turning radius for which routes are planned [m]; 0 for a vehicle that turns in place. */
+  public double turnRadiusM(Vehicle vehicle) {
+    return Situation.turnRadiusM(settings.get(), lines.get(), vehicle.speedMps());
+  }
+
   /** Remaining length of the route [m]; empty without one. */
   public OptionalDouble remainingM() {
     return routes.track().stream().mapToDouble(RouteTrack::remainingM).findAny();
@@ -200,10 +205,33 @@ public final class Avoidance {
   public boolean isGroundBetween(Vehicle vehicle, StateInformation state, Place to) {
     AvoidanceVariables now = settings.get();
     lieOn(world.plane(state));
-    double speedMps = Math.max(vehicle.speedMps(), Math.max(now.minSpeed(), now.plannedSpeed()));
     return state.z().isPresent()
         && to.upM().isPresent()
-        && highGround.isBetween(plane, vehicle.on(plane), vehicle.nedOf(to), speedMps, now);
+        && highGround.isBetween(
+            plane, vehicle.on(plane), vehicle.nedOf(to), speedMps(vehicle, now), now);
+  }
+
+  /**
+   * Likewise, of a straight way from anywhere that the vehicle leaves on the way: its end is no
+   * goal.
+   */
+  public boolean isGroundAhead(Vehicle vehicle, StateInformation state, Place from, Place to) {
+    AvoidanceVariables now = settings.get();
+    lieOn(world.plane(state));
+    Point ahead = vehicle.nedOf(from);
+    return state.z().isPresent()
+        && from.upM().isPresent()
+        && to.upM().isPresent()
+        && highGround.isAhead(
+            plane,
+            vehicle.on(plane).plus(ahead),
+            vehicle.nedOf(to).minus(ahead),
+            speedMps(vehicle, now),
+            now);
+  }
+
+  private static double speedMps(Vehicle vehicle, AvoidanceVariables now) {
+    return Math.max(vehicle.speedMps(), Math.max(now.minSpeed(), now.plannedSpeed()));
   }
 
   /** Whether ground is too high at a place of a circle about a centre of the same altitude. */

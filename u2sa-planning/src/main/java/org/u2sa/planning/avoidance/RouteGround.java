@@ -141,10 +141,26 @@ final class RouteGround {
    */
   boolean isBetween(
       PlanningPlane plane, Point at, Point way, double speedMps, AvoidanceVariables now) {
+    return isBetween(plane, at, way, way, speedMps, now);
+  }
+
+  /** Likewise, of a straight way that the vehicle leaves somewhere: its end is no goal. */
+  boolean isAhead(
+      PlanningPlane plane, Point at, Point way, double speedMps, AvoidanceVariables now) {
+    return isBetween(plane, at, way, Point.ORIGIN, speedMps, now);
+  }
+
+  private boolean isBetween(
+      PlanningPlane plane,
+      Point at,
+      Point way,
+      Point toGoal,
+      double speedMps,
+      AvoidanceVariables now) {
     if (now.verticalClearance() == 0.0 || !ground.isOn(plane)) {
       return false;
     }
-    FlightProfile straight = flown(at, way, keptM(at, way, now), speedMps, now);
+    FlightProfile straight = flown(at, way, keptM(at, toGoal, now), speedMps, now);
     double lengthM = Math.min(FARTHEST_M, Math.hypot(way.x(), way.y()));
     double north = lengthM == 0.0 ? 0.0 : way.x() / Math.hypot(way.x(), way.y());
     double east = lengthM == 0.0 ? 0.0 : way.y() / Math.hypot(way.x(), way.y());

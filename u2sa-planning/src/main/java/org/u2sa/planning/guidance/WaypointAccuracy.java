@@ -1,4 +1,4 @@
-package org.u2sa.planning;
+package org.u2sa.planning.guidance;
 
 import java.util.Locale;
 import java.util.Optional;
@@ -13,7 +13,7 @@ import org.u2sa.messages.goal.Waypoint;
  * deviation of σ along each axis, a position is within r of its estimate with a probability of 1 −
  * exp(−r² / 2σ²) (Rayleigh distribution).
  */
-final class WaypointAccuracy {
+public final class WaypointAccuracy {
   /** Standard deviations for 86 % probability. */
   private static final double SURE_SIGMAS = 2.0;
 
@@ -23,7 +23,7 @@ final class WaypointAccuracy {
   private WaypointAccuracy() {}
 
   /** Standard deviation of the horizontal position, worse axis [m]; empty if not reported. */
-  static OptionalDouble sigmaM(StateInformation state) {
+  public static OptionalDouble sigmaM(StateInformation state) {
     if (state.xSigma().isEmpty() && state.ySigma().isEmpty()) {
       return OptionalDouble.empty();
     }
@@ -34,7 +34,7 @@ final class WaypointAccuracy {
    * Estimated distance that ensures the vehicle is truly within the threshold [m]: the threshold
    * less two standard deviations, but at least half of it.
    */
-  static double surelyWithinM(double thresholdM, StateInformation state) {
+  public static double surelyWithinM(double thresholdM, StateInformation state) {
     return thresholdM
         - Math.min(SURE_SIGMAS * sigmaM(state).orElse(0.0), SMALLEST_SHARE * thresholdM);
   }
@@ -45,7 +45,8 @@ final class WaypointAccuracy {
    * @param sigmas minimum threshold in standard deviations; 0 leaves the threshold unchanged
    * @return the goal itself, unless it is a waypoint with a smaller threshold
    */
-  static GoalInformation following(GoalInformation goal, StateInformation state, double sigmas) {
+  public static GoalInformation following(
+      GoalInformation goal, StateInformation state, double sigmas) {
     double leastM = sigmas * sigmaM(state).orElse(0.0);
     if (!(goal instanceof Waypoint waypoint) || waypoint.horizontalThreshold() >= leastM) {
       return goal;
@@ -61,7 +62,7 @@ final class WaypointAccuracy {
    *
    * @param goal goal with the threshold in effect
    */
-  static Optional<String> remark(GoalInformation goal, StateInformation state) {
+  public static Optional<String> remark(GoalInformation goal, StateInformation state) {
     double sigma = sigmaM(state).orElse(0.0);
     if (!(goal instanceof Waypoint waypoint)
         || isOfAltitudeAlone(waypoint)
