@@ -92,7 +92,7 @@ final class StationState implements PlannerState {
 
   @Override
   public void enter(Pursuit pursuit) {
-    guidance.begin(WaypointState.placeOf(pursuit.before()));
+    guidance.begin(WaypointState.lineStart(pursuit));
     phase = Phase.TRANSIT;
     sinceMicros = Long.MIN_VALUE;
     here = Vehicle.of(pursuit.state()).map(Vehicle::place);

@@ -12,6 +12,8 @@ import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.Landing;
+import org.u2sa.messages.goal.PayloadDrop;
 import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.planning.avoidance.Avoidance;
@@ -102,7 +104,7 @@ final class WaypointState implements PlannerState {
 
   @Override
   public void enter(Pursuit pursuit) {
-    guidance.begin(placeOf(pursuit.before()));
+    guidance.begin(lineStart(pursuit));
     avoidance.begin();
     altitude.begin();
     beside.begin();
@@ -159,11 +161,31 @@ final class WaypointState implements PlannerState {
     return true;
   }
 
-  /** Position of a goal; empty for a circle that was left on course for the next goal. */
+  /**
+   * Position at which a goal is completed; empty for a circle that was left on course for the next
+   * goal. A landing or a drop has no altitude there: theirs is that of the ground.
+   */
   static Optional<Place> placeOf(Optional<GoalInformation> goal) {
     return goal.filter(Waypoint.class::isInstance)
         .filter(each -> !(each instanceof Station station && station.towardsNext()))
-        .map(waypoint -> Place.of((Waypoint) waypoint));
+        .map(
+            waypoint -> {
+              Place place = Place.of((Waypoint) waypoint);
+              return isOnGround(waypoint) ? place.withoutAltitude() : place;
+            });
+  }
+
+  private static boolean isOnGround(GoalInformation goal) {
+    return goal instanceof Landing || goal instanceof PayloadDrop;
+  }
+
+  /** Where the line to a goal begins: at the goal before, from which the vehicle comes. */
+  static Optional<Place> lineStart(Pursuit pursuit) {
+    Optional<GoalInformation> before = pursuit.before();
+    return before.filter(WaypointState::isOnGround).isEmpty()
+        ? placeOf(before)
+        : placeOf(before)
+            .map(place -> place.orAltitudeOf(Vehicle.of(pursuit.state()).orElseThrow().place()));
   }
 
   @Override

@@ -9,9 +9,11 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.PayloadDrop;
+import org.u2sa.messages.goal.Waypoint;
 
 /** Drops of payloads from aircraft on a local plane. */
 class PayloadDropGoalsTest extends FlownGoals {
@@ -130,6 +132,44 @@ class PayloadDropGoalsTest extends FlownGoals {
     assertThat(released).isFalse();
     assertThat(reports().get(0).abandoned()).isTrue();
     assertThat(reports().get(0).reason().orElseThrow()).contains("given up: was 50 m too high");
+  }
+
+  /** The z of a drop is that of the ground. */
+  private double lowestAfterTheDrop(List<GoalInformation> next) {
+    ned = Point.of(-300.0, 0.0, -40.0);
+    velocity = Point.of(20.0, 0.0, 0.0);
+    pursue(new PayloadDrop().payload("BOTTLE").height(40.0).z(0.0).x(0.0).y(0.0));
+    while (reports().isEmpty()) {
+      step(20.0);
+    }
+    assertThat(reports().get(0).completed()).isTrue();
+    kit.publish(Channels.GOALS, new GoalList().goals(next));
+    double lowestM = Double.POSITIVE_INFINITY;
+    for (int i = 0; i < 1000; i++) {
+      step(20.0);
+      lowestM = Math.min(lowestM, -ned.z());
+    }
+    return lowestM;
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"LINEAR", "IMMEDIATE"})
+  void waypoint_afterADrop_isFlownFromTheAltitudeOfThePass(String profile) {
+    kit.with("ALTITUDE PROFILE", profile);
+    plane();
+    Waypoint next = new Waypoint().horizontalThreshold(20.0);
+    next.uid("H").referenceFrame(ReferenceFrame.LOCAL_NED).x(1500.0).y(300.0).z(-40.0);
+
+    assertThat(lowestAfterTheDrop(List.of(next))).isGreaterThan(39.0);
+  }
+
+  @Test
+  void payloadDrop_lastGoal_isFollowedByCirclesAtTheAltitudeOfThePass() {
+    kit.with("AT END", "HOLD");
+    plane();
+
+    assertThat(lowestAfterTheDrop(List.of())).isGreaterThan(39.0);
+    assertThat(Math.hypot(ned.x(), ned.y())).isLessThan(160.0);
   }
 
   @Test

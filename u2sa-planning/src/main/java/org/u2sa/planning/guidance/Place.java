@@ -116,6 +116,10 @@ public record Place(boolean onEarth, OptionalDouble x, OptionalDouble y, Optiona
         true, OptionalDouble.of(to.longitudeDeg()), OptionalDouble.of(to.latitudeDeg()), upM);
   }
 
+  public Place withoutAltitude() {
+    return new Place(onEarth, x, y, OptionalDouble.empty());
+  }
+
   /** Copy with the altitude of another position if this one has none. */
   public Place orAltitudeOf(Place other) {
     return upM.isPresent() ? this : new Place(onEarth, x, y, other.upM);
