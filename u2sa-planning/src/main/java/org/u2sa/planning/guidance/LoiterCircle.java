@@ -100,17 +100,21 @@ public final class LoiterCircle {
   }
 
   /**
-   * Like {@link #ahead}, but from outside along a tangent: north, east, down [m].
+   * Like {@link #ahead}, but from outside on the straight way to the tangent point, no farther than
+   * the look-ahead: a control that steers along an arc to a far point would turn widely. North,
+   * east, down [m].
    *
    * @param widerM distance of the point outside the circle [m]
    */
   public Point tangentAhead(Vehicle vehicle, double lookAheadM, double widerM) {
     double away = outsideM(vehicle) + radiusM;
     double tangent = away > radiusM ? Math.acos(radiusM / away) : 0.0;
-    double turn = Math.max(tangent, Math.min(lookAheadM / radiusM, FARTHEST_AHEAD_RAD));
-    double bearing = bearingRad(vehicle) + sense * turn;
+    double along = Math.min(lookAheadM / radiusM, FARTHEST_AHEAD_RAD);
+    double bearing = bearingRad(vehicle) + sense * Math.max(tangent, along);
     double out = radiusM + widerM;
-    return vehicle.nedOf(centre.moved(out * Math.cos(bearing), out * Math.sin(bearing)));
+    Point to = vehicle.nedOf(centre.moved(out * Math.cos(bearing), out * Math.sin(bearing)));
+    double share = tangent > along ? lookAheadM / Math.hypot(to.x(), to.y()) : 1.0;
+    return share < 1.0 ? Point.of(share * to.x(), share * to.y(), to.z()) : to;
   }
 
   /** Point on the circle, one look-ahead ahead: north, east, down from the vehicle [m]. */
