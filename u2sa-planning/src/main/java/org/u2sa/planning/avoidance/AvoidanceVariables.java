@@ -101,6 +101,10 @@ public record AvoidanceVariables(
     @Variable(ifAbsentText = "false")
         @Description("Whether the control system can drive backwards.")
         boolean reverses,
+    @Variable(unit = "m/s", min = 0, ifAbsent = 0)
+        @Description(
+            "Maximum speed in reverse; 0: as forwards. Where no sensor looks backwards, it limits how hard the vehicle hits what came there.")
+        double reverseSpeed,
     @Variable(ifAbsentText = "false")
         @Description(
             "Whether wind and current carry the vehicle sideways, like a boat without lateral thrust: the planner then estimates the drift and predicts how the vehicle is steered against it.")
@@ -244,5 +248,13 @@ public record AvoidanceVariables(
   /** Time without progress after which a goal is abandoned [µs]. */
   public long giveUpMicros() {
     return Clock.micros(giveUpAfter);
+  }
+
+  /** Maximum speed in reverse [m/s]; 0 if it cannot reverse. */
+  double backwardsMps() {
+    if (!reverses) {
+      return 0.0;
+    }
+    return reverseSpeed == 0.0 ? Double.POSITIVE_INFINITY : reverseSpeed;
   }
 }

@@ -82,7 +82,7 @@ record Situation(
         now.plannedBraking(),
         turnRadiusM(now, lines, vehicle.speedMps()),
         now.stops(),
-        now.reverses(),
+        now.backwardsMps(),
         lines.lookAheadM(vehicle.speedMps()),
         now.touchM(cellM),
         now.preferredClearance(),

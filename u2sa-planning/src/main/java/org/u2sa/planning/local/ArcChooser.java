@@ -112,7 +112,7 @@ public final class ArcChooser {
       }
       double curvature = limits.curvatureTo(pose, north, east, backwards);
       for (double share : SPEEDS) {
-        double most = share * limits.speedMps();
+        double most = share * limits.mps(backwards);
         // at the actual speed: assuming more would mistime the encounter with traffic
         double speed = limits.stops() ? Math.min(most, straight) : Math.max(most, speedMps);
         Motion motion = Motion.along(track, curvature, backwards, speed, ahead);
@@ -264,7 +264,7 @@ public final class ArcChooser {
       for (int side = 0; side <= 2 * FAN; side++) {
         int k = (side % 2 == 0 ? 1 : -1) * ((side + 1) / 2); // straight first
         double curvature = limits.tightest() * k / FAN;
-        double speed = 0.5 * limits.speedMps();
+        double speed = Math.min(0.5 * limits.speedMps(), limits.mps(backwards));
         Outcome outcome = forecast.play(Motion.arc(curvature, backwards, speed, wayM));
         double free = Math.min(wayM, outcome.freeM());
         if (free > most + 0.05 * wayM && outcome.meetsS() >= limits.horizonS()) {

@@ -213,8 +213,10 @@ final class Evasion {
       for (int k = -FAN; k <= FAN; k++) {
         double dislike = (double) Math.abs(k) / FAN;
         for (double share : SPEEDS) {
-          double speed = limits.stops() ? share * limits.speedMps() : limits.speedMps();
-          Motion arc = Motion.arc(limits.tightest() * k / FAN, direction == 1, speed, reachM);
+          boolean backwards = direction == 1;
+          double most = limits.mps(backwards);
+          double speed = limits.stops() ? share * most : most;
+          Motion arc = Motion.arc(limits.tightest() * k / FAN, backwards, speed, reachM);
           weigh(arc.at(downM), dislike + (limits.stops() ? 1.0 - share : 0.0));
           if (!limits.stops()) {
             break;

@@ -10,7 +10,7 @@ import org.u2sa.planning.curve.Pose;
  * @param brakingMps2 [m/s²]
  * @param turnRadiusM minimum turn radius at that speed [m]; 0 if it turns in place
  * @param stops whether it can stop, unlike an aeroplane
- * @param reverses whether it can reverse
+ * @param backwardsMps maximum speed in reverse [m/s]; 0 if it cannot reverse
  * @param lookAheadM look-ahead on the route [m]
  * @param touchM collision distance to an obstacle [m]
  * @param preferredM distance to keep from obstacles wherever the route keeps it [m]; 0 if touchM
@@ -26,7 +26,7 @@ public record MotionLimits(
     double brakingMps2,
     double turnRadiusM,
     boolean stops,
-    boolean reverses,
+    double backwardsMps,
     double lookAheadM,
     double touchM,
     double preferredM,
@@ -36,6 +36,15 @@ public record MotionLimits(
     double turnRateRadPerS) {
   /** Bearing up to which a vehicle that turns in place drives arcs [rad]. */
   static final double SPOT_TURN_RAD = Math.toRadians(30.0);
+
+  boolean reverses() {
+    return backwardsMps > 0.0;
+  }
+
+  /** Maximum speed forwards or in reverse [m/s]. */
+  double mps(boolean backwards) {
+    return backwards ? Math.min(speedMps, backwardsMps) : speedMps;
+  }
 
   boolean turnsOnTheSpot() {
     return turnRadiusM == 0.0;

@@ -55,9 +55,9 @@ final class SteeredChoice {
       double course = 2.0 * Math.PI * k / DIRECTIONS;
       double north = pose.northM() + limits.lookAheadM() * Math.cos(course);
       double east = pose.eastM() + limits.lookAheadM() * Math.sin(course);
-      Outcome outcome = forecast.to(north, east, limits.speedMps(), backwards);
-      ArcChoice choice =
-          new ArcChoice(north, east, limits.speedMps(), backwards, ArcChoice.Kind.EVADE);
+      double mps = limits.mps(backwards);
+      Outcome outcome = forecast.to(north, east, mps, backwards);
+      ArcChoice choice = new ArcChoice(north, east, mps, backwards, ArcChoice.Kind.EVADE);
       double cost =
           outcome.end().distanceM(northM, eastM) + (backwards ? ASTERN * limits.lookAheadM() : 0.0);
       if (outcome.isFree() && cost < leastCost) {

@@ -28,16 +28,16 @@ class ArcChooserTest {
       new CostGrid(new GridFrame(-12.0, -12.0, CELL, SIZE, SIZE), new Inflation(0.5, 1.0, 3.0));
 
   private static MotionLimits rover() {
-    return new MotionLimits(1.0, 0.8, 1.0, 0.0, true, true, 1.0, 0.05, 0.0, 0.3, 4.0, 0.3, 0.8);
+    return new MotionLimits(1.0, 0.8, 1.0, 0.0, true, 1.0, 1.0, 0.05, 0.0, 0.3, 4.0, 0.3, 0.8);
   }
 
   /** The same, which keeps its distance where its route does. */
   private static MotionLimits careful() {
-    return new MotionLimits(1.0, 0.8, 1.0, 0.0, true, true, 1.0, 0.05, 0.3, 0.3, 4.0, 0.3, 0.8);
+    return new MotionLimits(1.0, 0.8, 1.0, 0.0, true, 1.0, 1.0, 0.05, 0.3, 0.3, 4.0, 0.3, 0.8);
   }
 
   private static MotionLimits aeroplane() {
-    return new MotionLimits(1.0, 0.8, 1.0, 2.0, false, false, 2.0, 0.05, 0.0, 0.3, 4.0, 0.3, 0.8);
+    return new MotionLimits(1.0, 0.8, 1.0, 2.0, false, 0.0, 2.0, 0.05, 0.0, 0.3, 4.0, 0.3, 0.8);
   }
 
   /** Fills what lies between these, ends included [m]. */
@@ -197,7 +197,7 @@ class ArcChooserTest {
   @Test
   void slip_ofWhatTurnsWhileItBrakes_isHowFarAsideItComes() {
     MotionLimits limits =
-        new MotionLimits(1.0, 0.8, 1.0, 0.0, true, true, 1.0, 0.05, 0.0, 0.3, 4.0, 0.0, 0.8);
+        new MotionLimits(1.0, 0.8, 1.0, 0.0, true, 1.0, 1.0, 0.05, 0.0, 0.3, 4.0, 0.0, 0.8);
     for (double mps = 0.2; mps < 1.5; mps += 0.1) {
       double aside = 0.0;
       double dt = 1.0e-3;
@@ -273,6 +273,21 @@ class ArcChooserTest {
 
     assertThat(choice.backwards()).isTrue();
     assertThat(choice.northM()).isCloseTo(-1.0, within(1e-9));
+  }
+
+  /** Along a route, and out of a corner. */
+  @ParameterizedTest
+  @CsvSource({"1.0, 0.5", "0.3, 0.3", "0.2, 0.2"})
+  void reverse_speedLimit_isKept(double backwardsMps, double outMps) {
+    MotionLimits slow =
+        new MotionLimits(
+            1.0, 0.8, 1.0, 0.0, true, backwardsMps, 1.0, 0.05, 0.0, 0.3, 4.0, 0.3, 0.8);
+    ArcChoice followed = arcs(slow, 0.0).along(track(-10.0, 0.0, true));
+    ArcChoice backsOut = arcs(slow, 0.0).backOut(2.0);
+
+    assertThat(followed.speedMps()).isEqualTo(backwardsMps);
+    assertThat(backsOut.backwards()).isTrue();
+    assertThat(backsOut.speedMps()).isEqualTo(outMps);
   }
 
   @Test

@@ -38,7 +38,7 @@ class HoverMotionsTest {
             0.0,
             new Mover.Heights(new double[] {-HIGH_M}, 0.0, 20.0));
     MotionLimits limits =
-        new MotionLimits(8.0, 2.0, 2.0, 0.0, true, false, 8.0, 1.0, 0.0, 5.0, 20.0, 0.5, 1.0);
+        new MotionLimits(8.0, 2.0, 2.0, 0.0, true, 0.0, 8.0, 1.0, 0.0, 5.0, 20.0, 0.5, 1.0);
     VerticalRoom room =
         new VerticalRoom(
             -HIGH_M,

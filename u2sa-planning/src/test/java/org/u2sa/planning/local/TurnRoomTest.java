@@ -13,7 +13,7 @@ import org.u2sa.planning.search.Inflation;
 class TurnRoomTest {
   private static final BodyDiscs BODY = new BodyDiscs(0.3, 0.3, 0.5); // corners at 0.39 m
   private static final MotionLimits LIMITS =
-      new MotionLimits(1.0, 0.8, 1.0, 0.0, true, true, 1.0, 0.05, 0.0, 0.3, 4.0, 0.3, 0.8);
+      new MotionLimits(1.0, 0.8, 1.0, 0.0, true, 1.0, 1.0, 0.05, 0.0, 0.3, 4.0, 0.3, 0.8);
 
   private static TurnRoom at(double wallM, double speedMps, boolean makesRoom) {
     GridFrame frame = new GridFrame(-5.0, -5.0, 0.1, 100, 100);
