@@ -1,6 +1,7 @@
 package org.u2sa.planning;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -112,6 +113,13 @@ class HighGroundTest extends PlannedVehicle {
     return goal;
   }
 
+  private Waypoint levelTo(double thresholdM, double north) {
+    Geodetic place = TestVehicle.ORIGIN.fromNed(Point.of(north, 0.0, 0.0));
+    Waypoint goal = new Waypoint().horizontalThreshold(thresholdM);
+    goal.uid("1").referenceFrame(ReferenceFrame.GLOBAL);
+    return goal.x(place.longitudeDeg()).y(place.latitudeDeg());
+  }
+
   private GoalInformation fly(double limitS) {
     return fly("1", limitS);
   }
@@ -141,6 +149,27 @@ class HighGroundTest extends PlannedVehicle {
 
     assertThat(fly(250.0).completed()).isTrue();
     assertThat(lowestM).isGreaterThan(50.0);
+  }
+
+  /** As on the way home after a failsafe RETURN. */
+  @Test
+  void waypoint_aeroplaneWithoutAltitudeBeforeAHill_fliesAroundItAtItsOwn() throws IOException {
+    startAeroplane(150.0);
+    goals(levelTo(100.0, 6000.0));
+
+    assertThat(fly(250.0).completed()).isTrue();
+    assertThat(lowestM).isGreaterThan(50.0);
+    assertThat(aircraft.altitude).isCloseTo(150.0, within(1.0));
+  }
+
+  @Test
+  void waypoint_multirotorWithoutAltitudeBeforeAHill_fliesAroundItAtItsOwn() throws IOException {
+    startMultirotor(6.0);
+    goals(levelTo(2.0, 240.0));
+
+    assertThat(fly(150.0).completed()).isTrue();
+    assertThat(lowestM).isGreaterThan(3.0);
+    assertThat(aircraft.altitude).isCloseTo(6.0, within(0.5));
   }
 
   /** It climbs as fast as EVASION CLIMB on the way to the hill. */

@@ -64,6 +64,7 @@ public final class Avoidance {
   private Optional<ArcChoice> before = Optional.empty(); // last choice, on the plane
   private Optional<HeldChoice> held = Optional.empty();
   private long steppedMicros = Long.MIN_VALUE; // state of the last step
+  private Optional<Place> began = Optional.empty(); // where the first step was made
   private String blocker = ""; // stands on the way back to where the vehicle hovers
 
   /**
@@ -87,7 +88,11 @@ public final class Avoidance {
       Place target,
       double thresholdM,
       OptionalDouble headingRad,
-      OptionalDouble speedMps) {}
+      OptionalDouble speedMps) {
+    private Wanted at(Place altitude) {
+      return new Wanted(goal, target.orAltitudeOf(altitude), thresholdM, headingRad, speedMps);
+    }
+  }
 
   /**
    * @param configuration configuration of the planner, in which PLANNER selects the route planner
@@ -181,6 +186,7 @@ public final class Avoidance {
 
   public void begin() {
     attempt = Optional.empty();
+    began = Optional.empty();
     held = Optional.empty();
     routes.begin();
     highGround.begin();
@@ -200,13 +206,13 @@ public final class Avoidance {
   }
 
   /**
-   * Whether ground is too high for a straight way to a position, with a climb or descent at once.
+   * Whether ground is too high for a straight way to a position, with a climb or descent at once;
+   * level to one without altitude.
    */
   public boolean isGroundBetween(Vehicle vehicle, StateInformation state, Place to) {
     AvoidanceVariables now = settings.get();
     lieOn(world.plane(state));
     return state.z().isPresent()
-        && to.upM().isPresent()
         && highGround.isBetween(
             plane, vehicle.on(plane), vehicle.nedOf(to), speedMps(vehicle, now), now);
   }
@@ -220,8 +226,6 @@ public final class Avoidance {
     lieOn(world.plane(state));
     Point ahead = vehicle.nedOf(from);
     return state.z().isPresent()
-        && from.upM().isPresent()
-        && to.upM().isPresent()
         && highGround.isAhead(
             plane,
             vehicle.on(plane).plus(ahead),
@@ -425,6 +429,13 @@ public final class Avoidance {
     }
   }
 
+  private Place altitude(Vehicle vehicle) {
+    if (began.isEmpty()) {
+      began = Optional.of(vehicle.place());
+    }
+    return began.get();
+  }
+
   private void lieOn(PlanningPlane now) {
     if (now != plane) {
       plane = now;
@@ -444,10 +455,12 @@ public final class Avoidance {
     return now.body(turnsOnTheSpot());
   }
 
-  public Step step(Vehicle vehicle, StateInformation state, Wanted wanted) {
+  /** The next step to a goal; to one without altitude, at that at which it began. */
+  public Step step(Vehicle vehicle, StateInformation state, Wanted goal) {
     AvoidanceVariables now = settings.get();
     long micros = vehicle.timestampMicros();
     lieOn(world.plane(state));
+    Wanted wanted = now.verticalClearance() > 0.0 ? goal.at(altitude(vehicle)) : goal;
     Point at = vehicle.on(plane);
     Point toGoal = vehicle.nedOf(wanted.target());
     if (held.isPresent() && held.get().isFor(wanted, micros)) {
