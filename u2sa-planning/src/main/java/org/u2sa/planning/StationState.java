@@ -215,16 +215,17 @@ final class StationState implements PlannerState {
   }
 
   /**
-   * Whether the route planner leads: near the station, and for aircraft that can stop also far from
-   * it, only around something. Those keep to the route then: the line to the station, which they
-   * have left, may lead back to what they went around.
+   * Whether the route planner leads: near the station, and for vehicles that look above and below
+   * themselves also far from it, only around something. Far from it, those keep to the route then:
+   * the line to the station, which they have left, may lead back to what they went around.
    */
   private boolean goesAround(Vehicle vehicle, StateInformation state, Avoidance.Wanted wanted) {
     double toGoM = length(vehicle.nedOf(wanted.target()));
     boolean isFar = toGoM > Math.max(settings.get().stationTurnWithin(), wanted.thresholdM());
     boolean routes =
         detour.isOfAircraftThatStops(state)
-            ? isFar && (isRouted || detour.isBlocked(vehicle, state, wanted.target()))
+            ? toGoM > wanted.thresholdM()
+                && (isFar && isRouted || detour.isBlocked(vehicle, state, wanted.target()))
             : detour.isPossible()
                 && toGoM > wanted.thresholdM()
                 && (isFar
