@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import org.u2sa.estimation.fusion.ErrorStateFilter;
 import org.u2sa.estimation.fusion.Estimate;
 import org.u2sa.estimation.fusion.FilterMemory;
@@ -36,6 +37,7 @@ import org.u2sa.service.handover.HandOver;
 public final class FusingStateEstimator extends StateEstimator {
   private static final String LOCAL = "LOCAL STATE";
   private static final String STATE = "STATE";
+  private static final double NOTEWORTHY_DELAY_S = 0.1;
   private static final long REPORT_MICROS = 500_000L;
   private static final int REPORTS_REMEMBERED = 10;
   private static final int WARN_OF_LATE = 100;
@@ -54,6 +56,7 @@ public final class FusingStateEstimator extends StateEstimator {
   private final Measurement measurement = new Measurement();
   private final LocalOdometry odometry = new LocalOdometry();
   private final Completeness completeness;
+  private final Set<String> late = new TreeSet<>(); // sources that were logged as late
   private final Map<String, Standing> standings = new TreeMap<>();
   private final Map<String, StateInformation> newest = new TreeMap<>();
   private long publishedMicros = Long.MIN_VALUE;
@@ -189,6 +192,9 @@ public final class FusingStateEstimator extends StateEstimator {
       Standing before = standings.put(report.source(), report.standing());
       if (before != report.standing()) {
         say(report, before);
+      }
+      if (report.lateS() >= NOTEWORTHY_DELAY_S && late.add(report.source())) {
+        log(report.source() + " is late by more than declared: " + report.text());
       }
     }
     remarkUnheard();

@@ -1,5 +1,6 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.delay.InertialPath;
 import org.u2sa.estimation.rotation.MotionHeading;
 import org.u2sa.estimation.rotation.Quaternions;
 
@@ -97,6 +98,7 @@ final class Alignment {
     double by = Math.IEEEremainder(psi - Quaternions.psi(r), 2.0 * Math.PI);
     Quaternions.turnEarth(s.x, FilterState.Q, 0.0, 0.0, by);
     MotionHeading.corrected(s.motion, by);
+    InertialPath.corrected(s.path, by);
     s.hasHeading = true;
     s.isolate(FilterState.ATTITUDE + 2, variance);
   }

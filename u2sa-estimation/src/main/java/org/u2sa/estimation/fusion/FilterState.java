@@ -2,6 +2,8 @@ package org.u2sa.estimation.fusion;
 
 import java.util.Arrays;
 import org.ejml.data.DMatrixRMaj;
+import org.u2sa.estimation.delay.InertialPath;
+import org.u2sa.estimation.delay.MotionDelay;
 import org.u2sa.estimation.rotation.MotionHeading;
 
 /**
@@ -81,6 +83,9 @@ final class FilterState {
   final DMatrixRMaj p = new DMatrixRMaj(N, N);
   final double[] search = new double[HeadingSearch.SIZE];
   final double[] motion = new double[MotionHeading.SIZE];
+  final double[] path = new double[InertialPath.SIZE];
+  final double[] delays = new double[DELAY_SLOTS * MotionDelay.SIZE];
+  final boolean[] isDelayShown = new boolean[DELAY_SLOTS]; // by velocities
   final double[] sightings = new double[36]; // see RepeatedSightings
   double[] trust = new double[0]; // SourceTrust's numbers
   long micros;
@@ -135,6 +140,9 @@ final class FilterState {
     System.arraycopy(o.p.data, 0, p.data, 0, N * N);
     System.arraycopy(o.search, 0, search, 0, search.length);
     System.arraycopy(o.motion, 0, motion, 0, motion.length);
+    System.arraycopy(o.path, 0, path, 0, path.length);
+    System.arraycopy(o.delays, 0, delays, 0, delays.length);
+    System.arraycopy(o.isDelayShown, 0, isDelayShown, 0, DELAY_SLOTS);
     System.arraycopy(o.sightings, 0, sightings, 0, sightings.length);
     if (trust.length < o.trust.length) {
       trust = new double[o.trust.length];

@@ -102,6 +102,9 @@ final class Fuser {
         vector(s, m, source, SensedQuantity.BODY_RATES);
       }
     }
+    if (delays.changes(s, m, source)) {
+      trust.admit(s, source);
+    }
     if (drives && !s.isStrapdown && s.hasTilt) {
       vector(s, m, source, SensedQuantity.SPECIFIC_FORCE);
     }
@@ -137,7 +140,9 @@ final class Fuser {
       SourceTrust.suppose(s.trust, at);
     }
     int delay = delays.slot(s, quantity, source);
+    int shown = DelayErrors.shownSlot(s, source);
     if (starts.begin(s, m, quantity, at, slot)) {
+      delays.advance(s, quantity, shown);
       DelayErrors.share(s, delay);
       count(s, at, SourceTrust.USED);
       used(s, m, quantity);
@@ -171,10 +176,12 @@ final class Fuser {
     if (quantity == SensedQuantity.VELOCITY
         && tuning.domain() == MotionDomain.AIR
         && linear.rows >= 2) {
-      double north = linear.predicted[0] + linear.innovation[0];
-      double east = linear.predicted[1] + linear.innovation[1];
-      double variance = Math.max(linear.variance[0], linear.variance[1]);
-      MotionHeading.velocity(s.motion, source, north, east, variance);
+      delays.compareHeading(s, linear, source, shown);
+    }
+    if (quantity == SensedQuantity.VELOCITY) {
+      delays.lookAhead(s, m, linear, shown);
+    } else if (quantity == SensedQuantity.ALTITUDE) {
+      delays.lookDown(s, linear, shown);
     }
     boolean isLost = (s.micros - s.reopenedMicros) / MICROS < SPEED_FRESH_S;
     if (isLost && quantity == SensedQuantity.VELOCITY && m.isWhole(quantity)) {
@@ -189,7 +196,7 @@ final class Fuser {
       depths.wander(s, source);
     }
     PersistentErrors.look(s, m, quantity, linear, slot);
-    DelayErrors.look(s, m, quantity, linear, delay);
+    delays.look(s, m, quantity, linear, delay);
     double factor = SourceTrust.factor(s, at);
     double nis = update.prepare(s, linear, factor);
     boolean isInput = motion.takes(s, m, source, quantity, factor);
@@ -268,6 +275,7 @@ final class Fuser {
           contradiction.reopen(s);
         }
         starts.reset(s, m, quantity, at, slot);
+        delays.advance(s, quantity, shown);
         DelayErrors.share(s, delay);
       }
       return;

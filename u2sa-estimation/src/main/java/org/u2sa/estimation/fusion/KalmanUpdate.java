@@ -3,6 +3,7 @@ package org.u2sa.estimation.fusion;
 import java.util.Arrays;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
+import org.u2sa.estimation.delay.InertialPath;
 import org.u2sa.estimation.rotation.MotionHeading;
 import org.u2sa.estimation.rotation.Quaternions;
 
@@ -118,7 +119,8 @@ final class KalmanUpdate {
     for (int a = 0; a < touches; a++) {
       int i = touched[a];
       boolean isDelay = i >= FilterState.DELAY && i < FilterState.DELAY + FilterState.DELAY_SLOTS;
-      boolean isCorrected = !isDelay || isDelayObservable;
+      boolean isCorrected =
+          !isDelay || isDelayObservable && !state.isDelayShown[i - FilterState.DELAY];
       for (int c = 0; c < rows; c++) {
         k[c][i] = isCorrected ? product(g, i, inverse.data, c) : 0.0;
         dx[i] += k[c][i] * m.innovation[c];
@@ -141,7 +143,7 @@ final class KalmanUpdate {
       int delay = FilterState.DELAY + slot;
       double seconds = state.x[FilterState.DELAYS + slot] + dx[delay];
       double over = seconds - DelayErrors.possible(seconds);
-      if (over != 0.0 && state.delaySource[slot] != FilterState.NO_SOURCE) {
+      if (over != 0.0 && DelayErrors.isEstimated(state, slot)) {
         double by = over / state.variance(delay);
         for (int i = 0; i < N; i++) {
           dx[i] -= by * state.p.data[delay * N + i];
@@ -214,6 +216,7 @@ final class KalmanUpdate {
         dx[FilterState.ATTITUDE + 1],
         dx[FilterState.ATTITUDE + 2]);
     MotionHeading.corrected(state.motion, dx[FilterState.ATTITUDE + 2]);
+    InertialPath.corrected(state.path, dx[FilterState.ATTITUDE + 2]);
     x[FilterState.FLOW_NORTH] += dx[FilterState.FLOW];
     x[FilterState.FLOW_NORTH + 1] += dx[FilterState.FLOW + 1];
     x[FilterState.WHEEL_SCALE] += dx[FilterState.SCALE];
@@ -222,8 +225,10 @@ final class KalmanUpdate {
       x[FilterState.PERSISTENT_ERRORS + i] += dx[FilterState.PERSISTENT + i];
     }
     for (int i = 0; i < FilterState.DELAY_SLOTS; i++) {
-      double seconds = x[FilterState.DELAYS + i] + dx[FilterState.DELAY + i];
-      x[FilterState.DELAYS + i] = DelayErrors.possible(seconds);
+      if (!state.isDelayShown[i]) {
+        double seconds = x[FilterState.DELAYS + i] + dx[FilterState.DELAY + i];
+        x[FilterState.DELAYS + i] = DelayErrors.possible(seconds);
+      }
     }
   }
 }

@@ -1,5 +1,6 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.delay.InertialPath;
 import org.u2sa.estimation.rotation.MotionHeading;
 import org.u2sa.estimation.rotation.Quaternions;
 
@@ -56,8 +57,16 @@ final class ProcessModel {
     if (s.isStrapdown) {
       accelerate(s, dt);
       MotionHeading.accelerate(s.motion, a[0], a[1], dt);
+      InertialPath.advance(
+          s.path,
+          s.micros * 1e-6 + dt,
+          dt,
+          a[0] + bias(s, 0),
+          a[1] + bias(s, 1),
+          a[2] + bias(s, 2));
     } else {
       MotionHeading.restart(s.motion);
+      InertialPath.restart(s.path);
       turnVelocity(s, dt);
       rise(s, dt);
     }
@@ -69,6 +78,15 @@ final class ProcessModel {
     right(s, dt);
     f.carry(s.p.data);
     addNoise(s, dt);
+  }
+
+  /** Accelerometer bias along north, east or down [m/s²]. */
+  private double bias(FilterState s, int axis) {
+    double sum = 0.0;
+    for (int k = 0; k < 3; k++) {
+      sum += r[3 * axis + k] * s.x[FilterState.BF + k];
+    }
+    return sum;
   }
 
   /** Integrates v̇ = R (f - b) + g; δv̇ = -[R (f - b)]× δθ - R δb (Solà 2017, eqs. 272, 283). */

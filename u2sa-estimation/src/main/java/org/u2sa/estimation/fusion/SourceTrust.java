@@ -182,6 +182,28 @@ final class SourceTrust {
     }
   }
 
+  /** Ends what has been held against a source, because the reason is known. */
+  void admit(FilterState s, int source) {
+    for (SensedQuantity each :
+        new SensedQuantity[] {
+          SensedQuantity.PLACE, SensedQuantity.ALTITUDE, SensedQuantity.VELOCITY
+        }) {
+      if (isKnown(source, each)) {
+        int at = of(s, source, each);
+        for (int i = 0; i < 2 && each.isPlace() && s.trust[at + STREAK] > 0.0; i++) {
+          double apart = s.trust[at + STREAK_NEWEST + i];
+          s.p.data[(FilterState.POSITION + i) * (FilterState.N + 1)] += apart * apart;
+        }
+        s.trust[at + STREAK] = 0.0;
+        s.trust[at + IS_BIASED] = 0.0;
+        s.trust[at + DISTRUST] = 0.0;
+        s.trust[at + DOUBT_MPS] = 0.0;
+        s.trust[at + HAS_PREVIOUS] = 0.0;
+        s.trust[at + LEARNT] = 0.0;
+      }
+    }
+  }
+
   /** Restarts learning from the given factor. */
   static void raise(double[] t, int at, double factor) {
     t[at + FACTOR] = factor;

@@ -14,7 +14,7 @@ import java.util.Arrays;
  */
 public final class MotionHeading {
   /** Numbers in the array. */
-  public static final int SIZE = 8 + TurnedVectors.SIZE;
+  public static final int SIZE = 11 + TurnedVectors.SIZE;
 
   private static final int GAINED = 0; // by the forces since the newest velocity, north, east [m/s]
   private static final int COS = 2; // of the corrections' sum
@@ -23,7 +23,9 @@ public final class MotionHeading {
   private static final int SOURCE = 5;
   private static final int IS_BEGUN = 6;
   private static final int IS_CORRECTED = 7; // contrary to the sources of headings
-  private static final int FIT = 8;
+  private static final int SINCE = 8; // gained since the newest velocity was measured, two
+  private static final int IS_DOUBTED = 10; // the time of the velocities
+  private static final int FIT = 11;
 
   private static final double ACCELERATION_NOISE =
       0.15; // m/s per √s, e.g. a few seconds of 0.5° of tilt
@@ -70,6 +72,25 @@ public final class MotionHeading {
    * @param variance per axis [m²/s²]
    */
   public static void velocity(double[] x, int source, double north, double east, double variance) {
+    velocity(x, source, north, east, variance, 0.0, 0.0);
+  }
+
+  /**
+   * Compares with a velocity that was measured a while ago.
+   *
+   * @param north velocity over ground [m/s]
+   * @param variance per axis [m²/s²]
+   * @param sinceNorth by which the forces have changed the velocity since it was measured, by the
+   *     estimate's heading [m/s]
+   */
+  public static void velocity(
+      double[] x,
+      int source,
+      double north,
+      double east,
+      double variance,
+      double sinceNorth,
+      double sinceEast) {
     double white = Math.max(MIN_SIGMA_MPS * MIN_SIGMA_MPS, variance);
     boolean isOther = source != (int) x[SOURCE];
     if (x[IS_BEGUN] == 0.0 || isOther && x[SECONDS] > SILENT_S) {
@@ -77,15 +98,31 @@ public final class MotionHeading {
       x[COS] = 1.0;
       x[SOURCE] = source;
       x[IS_BEGUN] = 1.0;
+      x[SINCE] = sinceNorth;
+      x[SINCE + 1] = sinceEast;
       TurnedVectors.begin(x, FIT, north, east, white);
     } else if (!isOther) {
       double drift = ACCELERATION_NOISE * ACCELERATION_NOISE * x[SECONDS];
       TurnedVectors.wander(x, FIT, drift, TURN_NOISE * TURN_NOISE * x[SECONDS]);
-      TurnedVectors.update(x, FIT, x[GAINED], x[GAINED + 1], north, east, white);
-      TurnedVectors.advance(x, FIT, x[GAINED], x[GAINED + 1]);
+      double newNorth = x[COS] * sinceNorth + x[SIN] * sinceEast;
+      double newEast = x[COS] * sinceEast - x[SIN] * sinceNorth;
+      double gainedNorth = x[GAINED] + x[SINCE] - newNorth;
+      double gainedEast = x[GAINED + 1] + x[SINCE + 1] - newEast;
+      x[SINCE] = newNorth;
+      x[SINCE + 1] = newEast;
+      TurnedVectors.update(x, FIT, gainedNorth, gainedEast, north, east, white);
+      TurnedVectors.advance(x, FIT, gainedNorth, gainedEast);
       Arrays.fill(x, GAINED, GAINED + 2, 0.0);
       x[SECONDS] = 0.0;
     }
+  }
+
+  /**
+   * Whether the source's velocities may be late: what changes later than shown looks as if it were
+   * rotated.
+   */
+  public static void doubt(double[] x, boolean isDoubted) {
+    x[IS_DOUBTED] = isDoubted ? 1.0 : 0.0;
   }
 
   /** The estimate's heading has been turned to that of the motion, contrary to its sources. */
@@ -104,7 +141,7 @@ public final class MotionHeading {
   }
 
   private static boolean isKnown(double[] x) {
-    if (x[IS_BEGUN] == 0.0 || x[SECONDS] > SILENT_S) {
+    if (x[IS_BEGUN] == 0.0 || x[SECONDS] > SILENT_S || x[IS_DOUBTED] != 0.0) {
       return false;
     }
     double variance = TurnedVectors.variance(x, FIT);

@@ -36,6 +36,18 @@ public final class TurnedVectors {
     x[at + HH] = UNKNOWN;
   }
 
+  /** Sets the rotation to none, with that variance. */
+  public static void known(double[] x, int at, double variance) {
+    x[at + H] = 1.0;
+    x[at + HH] = variance;
+  }
+
+  /** As {@link #wander(double[], int, double, double)}, with a limit of the rotation's variance. */
+  public static void wander(double[] x, int at, double offset, double rotation, double most) {
+    x[at + CC] += offset;
+    x[at + HH] = Math.min(Math.max(most, x[at + HH]), x[at + HH] + rotation);
+  }
+
   /**
    * Makes offset and rotation more uncertain.
    *
@@ -53,13 +65,15 @@ public final class TurnedVectors {
    * @param wn vector w, north
    * @param zn vector z, north
    * @param zVariance variance of e per axis
+   * @return normalised innovation squared, χ² distributed with two degrees of freedom
    */
-  public static void update(
+  public static double update(
       double[] x, int at, double wn, double we, double zn, double ze, double zVariance) {
     double dn = zn - x[at + C] - (x[at + H] * wn - x[at + H + 1] * we);
     double de = ze - x[at + C + 1] - (x[at + H] * we + x[at + H + 1] * wn);
     double cross = x[at + CH] * wn + x[at + CH + 1] * we;
     double variance = x[at + CC] + 2.0 * cross + (wn * wn + we * we) * x[at + HH] + zVariance;
+    double nis = (dn * dn + de * de) / variance;
     variance = Math.max(variance, (dn * dn + de * de) / USUAL);
     double kcn = (x[at + CC] + cross) / variance;
     double kce = (x[at + CH + 1] * wn - x[at + CH] * we) / variance;
@@ -73,6 +87,7 @@ public final class TurnedVectors {
     x[at + HH] -= (khn * khn + khe * khe) * variance;
     x[at + CH] -= (kcn * khn + kce * khe) * variance;
     x[at + CH + 1] -= (kce * khn - kcn * khe) * variance;
+    return nis;
   }
 
   /** Moves the offset by the rotated vector: later vectors w begin where this one ends. */
