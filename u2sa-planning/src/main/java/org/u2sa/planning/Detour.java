@@ -110,10 +110,16 @@ final class Detour {
   /** Whether a vehicle that turns in place reverses to a position astern, lacking room to turn. */
   boolean goesAstern(Vehicle vehicle, StateInformation state, Place place) {
     double bearingRad = bearingRad(vehicle, place);
-    return avoidance.reverses()
+    return avoidance.backwardsMps() > 0.0
         && turnRadiusM(vehicle) == 0.0
         && Math.abs(bearingRad) > ASTERN_RAD
         && !hasRoomToTurn(vehicle, state, bearingRad);
+  }
+
+  /** Leads there in reverse. */
+  void leadAstern(NavigationPoint point) {
+    double mps = Math.min(point.speed().orElse(Double.MAX_VALUE), avoidance.backwardsMps());
+    point.backwards(true).speed(mps);
   }
 
   private static double bearingRad(Vehicle vehicle, Place place) {

@@ -165,9 +165,9 @@ public final class Avoidance {
     return settings.get().stops();
   }
 
-  /** Whether the vehicle can reverse. */
-  public boolean reverses() {
-    return settings.get().reverses();
+  /** Maximum speed in reverse [m/s]; 0 if the vehicle cannot reverse. */
+  public double backwardsMps() {
+    return settings.get().backwardsMps();
   }
 
   /** Whether the surroundings are unknown, or the newest data of them too old. */
