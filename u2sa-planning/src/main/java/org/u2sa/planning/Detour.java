@@ -16,6 +16,7 @@ import org.u2sa.planning.guidance.Vehicle;
  */
 final class Detour {
   private static final double SMALL_RAD = Math.toRadians(20.0);
+  private static final double ASTERN_RAD = Math.toRadians(150.0);
   private static final double NEAR_M = 10.0; // from a target, where the straight way is short
   private static final double TURN_REACH = 2.5; // of a turn back, ahead [turning radii]
 
@@ -59,6 +60,71 @@ final class Detour {
         && !avoidance.guards(state)
         && (avoidance.comesTraffic(vehicle, state, to)
             || avoidance.room(vehicle, state, to).isBlockedSoon());
+  }
+
+  /**
+   * Speed of a vehicle on a surface that moves straight to where it stops [m/s], at most the wanted
+   * one; for other vehicles, and without a route planner, the wanted one if there is one.
+   *
+   * @param berths whether it moves along the straight way to a berth
+   */
+  OptionalDouble straightMps(
+      Vehicle vehicle, StateInformation state, Avoidance.Wanted wanted, boolean berths) {
+    return isOnSurface(state)
+        ? OptionalDouble.of(avoidance.straightMps(vehicle, state, wanted, berths))
+        : wanted.speedMps();
+  }
+
+  /** Slows a step of a vehicle on a surface down so that the vehicle stops at its target. */
+  void stopAt(NavigationPoint step, Vehicle vehicle, StateInformation state, Avoidance.Wanted to) {
+    if (isOnSurface(state) && step.speed().isPresent()) {
+      double slowMps = avoidance.stoppableMps(vehicle, to);
+      step.speed(Math.min(step.speed().getAsDouble(), slowMps));
+    }
+  }
+
+  private boolean isOnSurface(StateInformation state) {
+    return avoidance.isOn() && avoidance.stops() && !avoidance.guards(state);
+  }
+
+  /** Minimum turn radius of a vehicle that can stop [m]; 0 if it turns in place. */
+  double turnRadiusM(Vehicle vehicle) {
+    return avoidance.stops() ? avoidance.turnRadiusM(vehicle) : 0.0;
+  }
+
+  /**
+   * Whether something may be on the straight way of a vehicle on a surface to a position, or there
+   * is no room to turn towards it and it does not lie astern.
+   */
+  boolean isReturnBlocked(Vehicle vehicle, StateInformation state, Place place) {
+    if (!avoidance.isOn() || avoidance.guards(state)) {
+      return false;
+    }
+    return avoidance.isBlind(vehicle)
+        || isOccupied(vehicle, state, place)
+        || turnRadiusM(vehicle) == 0.0
+            && !hasRoomToTurn(vehicle, state, bearingRad(vehicle, place))
+            && !goesAstern(vehicle, state, place);
+  }
+
+  /** Whether a vehicle that turns in place reverses to a position astern, lacking room to turn. */
+  boolean goesAstern(Vehicle vehicle, StateInformation state, Place place) {
+    double bearingRad = bearingRad(vehicle, place);
+    return avoidance.backwardsMps() > 0.0
+        && turnRadiusM(vehicle) == 0.0
+        && Math.abs(bearingRad) > ASTERN_RAD
+        && !hasRoomToTurn(vehicle, state, bearingRad);
+  }
+
+  /** Leads there in reverse. */
+  void leadAstern(NavigationPoint point) {
+    double mps = Math.min(point.speed().orElse(Double.MAX_VALUE), avoidance.backwardsMps());
+    point.backwards(true).speed(mps);
+  }
+
+  private static double bearingRad(Vehicle vehicle, Place place) {
+    Point way = vehicle.body(vehicle.nedOf(place));
+    return Math.atan2(way.y(), way.x());
   }
 
   /**

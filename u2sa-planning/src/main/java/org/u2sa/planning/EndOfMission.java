@@ -7,6 +7,7 @@ import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.planning.guidance.LineSettings;
 import org.u2sa.planning.guidance.LoiterCircle;
@@ -18,24 +19,27 @@ import org.u2sa.service.handover.HandOver;
 /** Behaviour of a planner without a goal: hold a position, or do nothing. */
 final class EndOfMission {
   private static final double AT_REST_MPS = 0.1;
-  private static final double BRAKE_AHEAD_S = 0.3; // longer than a control's delay
   private static final long LONGEST_BRAKING_MICROS = 10 * Clock.MICROS_PER_SECOND;
 
   private final Supplier<PlanningVariables> settings;
   private final Supplier<LineSettings> lines;
   private final WaypointGuidance guidance;
   private final UnaryOperator<Place> raised;
+  private final SurfaceHold surface;
   private Optional<LoiterCircle> circle = Optional.empty();
   private OptionalLong brakesMicros = OptionalLong.empty(); // since when
 
   /**
    * @param raised changes the altitude of a place that is too low
+   * @param detour looks whether the way back to a held position is free
    */
   EndOfMission(
       Supplier<PlanningVariables> settings,
       Supplier<LineSettings> lines,
       WaypointGuidance guidance,
-      UnaryOperator<Place> raised) {
+      UnaryOperator<Place> raised,
+      Detour detour) {
+    surface = new SurfaceHold(detour);
     this.raised = raised;
     this.settings = settings;
     this.lines = lines;
@@ -56,6 +60,7 @@ final class EndOfMission {
   void leave() {
     circle = Optional.empty();
     brakesMicros = OptionalLong.empty();
+    surface.begin();
   }
 
   /**
@@ -66,27 +71,43 @@ final class EndOfMission {
    *     holding began, or with HOLD AT REST when it has stopped; without altitude, its altitude at
    *     that time
    */
-  List<NavigationPoint> plan(Vehicle vehicle, Optional<Place> place) {
+  List<NavigationPoint> plan(Vehicle vehicle, StateInformation state, Optional<Place> place) {
     PlanningVariables now = settings.get();
-    return now.holdsAtEnd() || now.loiterRadius() > 0.0 ? hold(vehicle, place) : List.of();
+    return now.holdsAtEnd() || now.loiterRadius() > 0.0 ? hold(vehicle, state, place) : List.of();
   }
 
-  private List<NavigationPoint> hold(Vehicle vehicle, Optional<Place> place) {
+  private List<NavigationPoint> hold(
+      Vehicle vehicle, StateInformation state, Optional<Place> place) {
     PlanningVariables now = settings.get();
+    boolean isTaken =
+        place.isEmpty()
+            && now.loiterRadius() == 0.0
+            && circle.filter(held -> surface.isTaken(vehicle, state, held.centre())).isPresent();
+    if (isTaken) {
+      leave(); // it holds here
+    }
     boolean isPlaced = circle.isPresent() || place.filter(Place::isHorizontal).isPresent();
     if (!isPlaced && now.holdAtRest() && now.loiterRadius() == 0.0 && isMoving(vehicle)) {
-      return List.of(braking(vehicle));
+      return List.of(SurfaceHold.braking(vehicle));
     }
     if (circle.isEmpty()) {
       Place centre =
           place
               .filter(Place::isHorizontal)
               .map(known -> known.orAltitudeOf(vehicle.place()))
-              .orElse(vehicle.place());
+              .orElseGet(() -> isTaken ? SurfaceHold.ahead(vehicle) : vehicle.place());
       circle = Optional.of(new LoiterCircle(raised.apply(centre), now.loiterRadius(), vehicle));
     }
     Point ahead = circle.get().ahead(vehicle, lines.get().lookAheadM(vehicle.speedMps()));
-    return List.of(NavigationPoint.at(guidance.bodyPoint(vehicle, ahead)));
+    NavigationPoint point = NavigationPoint.at(guidance.bodyPoint(vehicle, ahead));
+    return List.of(now.loiterRadius() > 0.0 ? point : back(point, vehicle, state));
+  }
+
+  /** Goes back to the held position, or stops. */
+  private NavigationPoint back(NavigationPoint point, Vehicle vehicle, StateInformation state) {
+    Place held = circle.orElseThrow().centre();
+    surface.lead(point, vehicle, state, held);
+    return surface.stop(vehicle, held).orElse(point);
   }
 
   /** Whether it still brakes; a vehicle that does not stop counts as standing after a while. */
@@ -97,16 +118,5 @@ final class EndOfMission {
     }
     return vehicle.speedMps() > AT_REST_MPS
         && now - brakesMicros.getAsLong() < LONGEST_BRAKING_MICROS;
-  }
-
-  /**
-   * Point at a speed of 0 that a moving vehicle has not yet passed when its control receives it, so
-   * that it brakes without turning.
-   */
-  private static NavigationPoint braking(Vehicle vehicle) {
-    double north = vehicle.northMps() * BRAKE_AHEAD_S;
-    double east = vehicle.eastMps() * BRAKE_AHEAD_S;
-    Point ahead = vehicle.body(Point.of(north, east, 0.0));
-    return NavigationPoint.at(ahead).speed(0.0).backwards(ahead.x() < 0.0);
   }
 }

@@ -139,7 +139,7 @@ public class PathPlanner extends EventDrivenService {
                 this::isAeroplane,
                 ground::stoodAt,
                 () -> flight.get().headwayTime()));
-    end = new EndOfMission(settings, this::lines, guidance, ground::raised);
+    end = new EndOfMission(settings, this::lines, guidance, ground::raised, detour);
     registerPublisher(Channels.NAVIGATION);
     registerPublisher(Channels.GOAL_REPORTS);
     registerPublisher(Channels.PLANS);
@@ -369,7 +369,9 @@ public class PathPlanner extends EventDrivenService {
   private List<NavigationPoint> hold(StateInformation state, Optional<Place> place) {
     Vehicle vehicle = Vehicle.of(state).orElseThrow();
     List<NavigationPoint> points =
-        climb(Optional.empty(), vehicle).map(List::of).orElseGet(() -> end.plan(vehicle, place));
+        climb(Optional.empty(), vehicle)
+            .map(List::of)
+            .orElseGet(() -> end.plan(vehicle, state, place));
     return checks.hovering(points, state);
   }
 
@@ -517,7 +519,7 @@ public class PathPlanner extends EventDrivenService {
     return settings.get().loiterRadius() == 0.0
         && place.isHorizontal()
         && !detour.isOfAircraftThatStops(state)
-        && detour.isOccupied(vehicle, state, place);
+        && detour.isReturnBlocked(vehicle, state, place);
   }
 
   private void publish(List<NavigationPoint> points, StateInformation state) {

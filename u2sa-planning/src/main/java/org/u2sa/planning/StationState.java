@@ -177,6 +177,7 @@ final class StationState implements PlannerState {
     boolean isOnStraightWay = isBerth && phase != Phase.TRANSIT;
     if (!isOnStraightWay && goesAround(vehicle, pursuit.state(), wanted)) {
       Plan step = detour.step(vehicle, pursuit.state(), wanted);
+      step.points().forEach(each -> detour.stopAt(each, vehicle, pursuit.state(), wanted));
       return step.progress() == Plan.Progress.UNDER_WAY
           ? progress(station, vehicle, to, step.points())
           : step;
@@ -190,13 +191,17 @@ final class StationState implements PlannerState {
         stays && !isOnStraightWay ? inside(vehicle, pursuit.state(), wanted) : Optional.empty();
     if (inside.isPresent()) {
       point = NavigationPoint.at(vehicle.body(vehicle.nedOf(inside.get())));
+      slow(point, vehicle, pursuit.state(), to(inside.get(), wanted), false);
     } else if (stays) {
       point = towards(Point.ORIGIN, Optional.empty(), station, vehicle).speed(0.0);
     } else if (phase == Phase.BERTHING) {
       point = way.point(leg, to.z(), turn(station, vehicle), station, vehicle, settings.get());
+      slow(point, vehicle, pursuit.state(), berth(station, place), true);
     } else {
       Point target = phase == Phase.TRANSIT ? start : to;
       point = towards(target, isBerth ? Optional.empty() : Optional.of(place), station, vehicle);
+      Avoidance.Wanted end = isOnStraightWay ? berth(station, place) : wanted;
+      slow(point, vehicle, pursuit.state(), end, isOnStraightWay);
       if (isOnStraightWay && station.backwards()) {
         point.backwards(point.point().x() < 0.0); // there is no room to turn round
       }
@@ -276,6 +281,32 @@ final class StationState implements PlannerState {
         toEntrance ? OptionalDouble.empty() : station.speed());
   }
 
+  /** The berth itself, at the speed of its straight way. */
+  private Avoidance.Wanted berth(Station station, Place place) {
+    double speed = station.speed().orElse(settings.get().berthSpeed());
+    return new Avoidance.Wanted(
+        station.uid(),
+        place,
+        station.horizontalThreshold(),
+        OptionalDouble.empty(),
+        OptionalDouble.of(speed));
+  }
+
+  private static Avoidance.Wanted to(Place place, Avoidance.Wanted wanted) {
+    return new Avoidance.Wanted(
+        wanted.goal(), place, wanted.thresholdM(), wanted.headingRad(), wanted.speedMps());
+  }
+
+  /** Sets the speed at which it moves to a place and stops there. */
+  private void slow(
+      NavigationPoint point,
+      Vehicle vehicle,
+      StateInformation state,
+      Avoidance.Wanted end,
+      boolean berths) {
+    detour.straightMps(vehicle, state, end, berths).ifPresent(point::speed);
+  }
+
   /** From the station to the start of its straight way: north, east [m]. */
   private static Point entrance(Station station) {
     double sign = station.backwards() ? 1.0 : -1.0;
@@ -312,9 +343,6 @@ final class StationState implements PlannerState {
             : guidance.towards(
                 vehicle, place.get(), station.horizontalThreshold(), Optional.empty());
     NavigationPoint point = NavigationPoint.at(body);
-    if (phase == Phase.TRANSIT && station.approach().isEmpty()) {
-      station.speed().ifPresent(point::speed);
-    }
     if (isNear && station.psi().isPresent()) {
       boolean isStart = place.isEmpty() && phase == Phase.TRANSIT;
       double within = within(isStart, station);

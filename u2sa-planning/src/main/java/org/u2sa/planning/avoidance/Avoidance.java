@@ -25,6 +25,7 @@ import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.local.ArcChoice;
 import org.u2sa.planning.local.ArcChooser;
 import org.u2sa.planning.local.RouteTrack;
+import org.u2sa.planning.local.StopSpeed;
 import org.u2sa.planning.local.VerticalRoom;
 import org.u2sa.planning.route.RoutePlanner;
 import org.u2sa.planning.route.RoutePlanners;
@@ -42,6 +43,7 @@ import org.u2sa.planning.seen.SeenWorld;
 public final class Avoidance {
   private static final String NONE = "NONE";
   private static final double IN_PLACE_M = 2.0; // beside or above, within which it is at a place
+  private static final double STILL_MPS = 0.1; // slower motion has no direction
 
   private final Supplier<String> chosen;
   private final Supplier<AvoidanceVariables> settings;
@@ -156,6 +158,25 @@ public final class Avoidance {
     climbing.see(fence);
     inPlace.see(fence);
     hover.see(fence);
+  }
+
+  /** Whether the vehicle can stop. */
+  public boolean stops() {
+    return settings.get().stops();
+  }
+
+  /** Maximum speed in reverse [m/s]; 0 if the vehicle cannot reverse. */
+  public double backwardsMps() {
+    return settings.get().backwardsMps();
+  }
+
+  /** Whether the surroundings are unknown, or the newest data of them too old. */
+  public boolean isBlind(Vehicle vehicle) {
+    return isOn()
+        && world
+            .age()
+            .trouble(vehicle.timestampMicros(), settings.get().worldStaleMicros())
+            .isPresent();
   }
 
   public boolean turnsOnTheSpot() {
@@ -291,6 +312,40 @@ public final class Avoidance {
     double touchM = now.touchM(costs.frame().cellM());
     double turnRadiusM = Situation.turnRadiusM(now, lines.get(), vehicle.speedMps());
     return new SurfaceRoom(costs, body(now), at, vehicle.headingRad(), way, touchM, turnRadiusM);
+  }
+
+  /**
+   * Speed of a vehicle on a surface that moves straight to where it stops [m/s]: the wanted one, or
+   * less to stop there, before what stands beyond, and before what stands where it is moving to.
+   *
+   * @param berths whether it moves along the straight way to a berth, which may be narrow
+   */
+  public double straightMps(
+      Vehicle vehicle, StateInformation state, Wanted wanted, boolean berths) {
+    SurfaceRoom room = room(vehicle, state, wanted.target());
+    StopSpeed speed = stopSpeed(vehicle, wanted);
+    double cellM = room.grid().frame().cellM();
+    double reachM = cellM + speed.reachM(vehicle.speedMps());
+    double freeM = berths ? room.freeInBerthM(reachM) : room.freeAlongWayM(reachM);
+    double closing = room.alongWay(vehicle.northMps(), vehicle.eastMps());
+    double thatWay = speed.mps(Math.min(room.wayM(), freeM - cellM), closing);
+    if (berths || vehicle.speedMps() <= STILL_MPS) {
+      return thatWay;
+    }
+    double aheadM = room.freeM(vehicle.courseRad(), reachM) - cellM;
+    return Math.min(thatWay, speed.mps(aheadM, vehicle.speedMps()));
+  }
+
+  /** Speed from which the vehicle stops where its route ends, or at the goal without one [m/s]. */
+  public double stoppableMps(Vehicle vehicle, Wanted wanted) {
+    Point toGo = vehicle.nedOf(wanted.target());
+    double wayM = Math.max(Math.hypot(toGo.x(), toGo.y()), remainingM().orElse(0.0));
+    return stopSpeed(vehicle, wanted).mps(wayM, vehicle.speedMps());
+  }
+
+  private StopSpeed stopSpeed(Vehicle vehicle, Wanted wanted) {
+    AvoidanceVariables now = settings.get();
+    return new StopSpeed(Situation.limits(vehicle, wanted, now, lines.get(), now.planningCell()));
   }
 
   private Optional<String> blocker(Vehicle vehicle, StateInformation state, Point way) {

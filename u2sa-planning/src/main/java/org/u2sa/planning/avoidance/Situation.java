@@ -71,7 +71,7 @@ record Situation(
         vehicle.timestampMicros());
   }
 
-  private static MotionLimits limits(
+  static MotionLimits limits(
       Vehicle vehicle, Wanted wanted, AvoidanceVariables now, LineSettings lines, double cellM) {
     double wantedMps = wantedMps(wanted, now);
     // Wind adds to an aircraft's speed: plan with its ground speed.

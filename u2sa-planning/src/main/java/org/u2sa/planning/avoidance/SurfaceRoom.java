@@ -36,10 +36,68 @@ public record SurfaceRoom(
    * behind it.
    */
   public boolean isOccupied() {
-    double leastM = Math.max(0.0, Math.min(touchM, hereM() - ROUNDING_M));
+    double leastM = leastM();
     return isCloser(REACH_M, headingRad, leastM)
-        || isCloser(REACH_M, Math.atan2(way.y(), way.x()), leastM)
+        || isCloser(REACH_M, courseRad(), leastM)
         || turnRadiusM > 0.0 && isCloserOnArc(leastM);
+  }
+
+  /** Clearance at which the vehicle comes too close, and closer than it is [m]. */
+  private double leastM() {
+    return Math.max(0.0, Math.min(touchM, hereM() - ROUNDING_M));
+  }
+
+  /** Direction of the way [rad]. */
+  private double courseRad() {
+    return Math.atan2(way.y(), way.x());
+  }
+
+  /** Length of the way [m]. */
+  public double wayM() {
+    return Math.hypot(way.x(), way.y());
+  }
+
+  /** Component along the way of a vector to the north and east; 0 if the way has no length. */
+  public double alongWay(double north, double east) {
+    return wayM() > 0.0 ? (north * way.x() + east * way.y()) / wayM() : 0.0;
+  }
+
+  /**
+   * Distance along the way and straight on beyond its end until the vehicle comes too close to what
+   * stands [m]; infinite if it does not.
+   *
+   * @param reachM distance that is checked
+   */
+  public double freeAlongWayM(double reachM) {
+    double leastM = leastM();
+    return Math.min(
+        freeM(courseRad(), headingRad, reachM, leastM),
+        freeM(courseRad(), courseRad(), reachM, leastM));
+  }
+
+  /** Likewise, straight on in any direction [rad], without turning. */
+  public double freeM(double course, double reachM) {
+    return freeM(course, headingRad, reachM, leastM());
+  }
+
+  /**
+   * Distance along the way and straight on until the vehicle, without turning, runs into something
+   * [m]; infinite if it does not, or touches something already, as in a narrow berth.
+   */
+  public double freeInBerthM(double reachM) {
+    return hereM() < 0.0 ? Double.POSITIVE_INFINITY : freeM(courseRad(), headingRad, reachM, 0.0);
+  }
+
+  private double freeM(double course, double heading, double reachM, double limitM) {
+    double stepM = grid.frame().cellM();
+    for (double gone = stepM; gone <= Math.min(reachM, REACH_M); gone += stepM) {
+      Point place =
+          Point.of(at.x() + gone * Math.cos(course), at.y() + gone * Math.sin(course), at.z());
+      if (clearanceM(place, heading) < limitM) {
+        return gone - stepM;
+      }
+    }
+    return Double.POSITIVE_INFINITY;
   }
 
   /**
@@ -74,7 +132,7 @@ public record SurfaceRoom(
 
   /** Whether the clearance falls below a limit on a part of the way. */
   private boolean isCloser(double reachM, double heading, double limitM) {
-    double lengthM = Math.hypot(way.x(), way.y());
+    double lengthM = wayM();
     double steps = Math.ceil(Math.min(lengthM, reachM) / grid.frame().cellM());
     for (double i = 1.0; i <= steps; i++) {
       double share = i / steps * Math.min(1.0, reachM / lengthM);
@@ -91,7 +149,7 @@ public record SurfaceRoom(
     double north = at.x() + way.x();
     double east = at.y() + way.y();
     double stepM = grid.frame().cellM();
-    double reachM = Math.min(Math.hypot(way.x(), way.y()), REACH_M) + 2.0 * Math.PI * turnRadiusM;
+    double reachM = Math.min(wayM(), REACH_M) + 2.0 * Math.PI * turnRadiusM;
     Pose pose = new Pose(at.x(), at.y(), headingRad);
     double goneM = 0.0;
     while (goneM < reachM && pose.distanceM(north, east) > stepM) {

@@ -58,6 +58,10 @@ public final class LoiterCircle {
         : Optional.empty();
   }
 
+  public Place centre() {
+    return centre;
+  }
+
   public double radiusM() {
     return radiusM;
   }
