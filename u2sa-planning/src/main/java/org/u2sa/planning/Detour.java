@@ -44,22 +44,23 @@ final class Detour {
 
   /** Whether a straight way of such an aircraft leads into something that stands, or the ground. */
   boolean isBlocked(Vehicle vehicle, StateInformation state, Place to) {
-    return avoidance.isBlocked(vehicle, state, to) || avoidance.isGroundBetween(vehicle, state, to);
+    return avoidance.straight().isBlocked(vehicle, state, to)
+        || avoidance.straight().isGroundBetween(vehicle, state, to);
   }
 
   /** Whether the straight way of a vehicle on a surface leads to something that stands or moves. */
   boolean isOccupied(Vehicle vehicle, StateInformation state, Place to) {
     return avoidance.isOn()
-        && (avoidance.comesTraffic(vehicle, state, to)
-            || avoidance.room(vehicle, state, to).isOccupied());
+        && (avoidance.straight().comesTraffic(vehicle, state, to)
+            || avoidance.straight().room(vehicle, state, to).isOccupied());
   }
 
   /** Whether such a vehicle would soon run into something, or something moves on its way. */
   boolean isBlockedSoon(Vehicle vehicle, StateInformation state, Place to) {
     return avoidance.isOn()
         && !avoidance.guards(state)
-        && (avoidance.comesTraffic(vehicle, state, to)
-            || avoidance.room(vehicle, state, to).isBlockedSoon());
+        && (avoidance.straight().comesTraffic(vehicle, state, to)
+            || avoidance.straight().room(vehicle, state, to).isBlockedSoon());
   }
 
   /**
@@ -71,14 +72,14 @@ final class Detour {
   OptionalDouble straightMps(
       Vehicle vehicle, StateInformation state, Avoidance.Wanted wanted, boolean berths) {
     return isOnSurface(state)
-        ? OptionalDouble.of(avoidance.straightMps(vehicle, state, wanted, berths))
+        ? OptionalDouble.of(avoidance.straight().straightMps(vehicle, state, wanted, berths))
         : wanted.speedMps();
   }
 
   /** Slows a step of a vehicle on a surface down so that the vehicle stops at its target. */
   void stopAt(NavigationPoint step, Vehicle vehicle, StateInformation state, Avoidance.Wanted to) {
     if (isOnSurface(state) && step.speed().isPresent()) {
-      double slowMps = avoidance.stoppableMps(vehicle, to);
+      double slowMps = avoidance.straight().stoppableMps(vehicle, to);
       step.speed(Math.min(step.speed().getAsDouble(), slowMps));
     }
   }
@@ -137,33 +138,33 @@ final class Detour {
     return !avoidance.isOn()
         || avoidance.guards(state)
         || Math.abs(turnRad) < SMALL_RAD
-        || avoidance.room(vehicle, state, vehicle.place()).isEnoughToTurn(turnRad);
+        || avoidance.straight().room(vehicle, state, vehicle.place()).isEnoughToTurn(turnRad);
   }
 
   /** Whether something, or the ground, blocks the straight way to a position. */
   boolean isHindered(Vehicle vehicle, StateInformation state, Place to) {
     return isObstructed(vehicle, state, to)
-        || avoidance.isOn() && avoidance.isGroundBetween(vehicle, state, to);
+        || avoidance.isOn() && avoidance.straight().isGroundBetween(vehicle, state, to);
   }
 
   /** Likewise, of a way that leads to the ground. */
   boolean isObstructed(Vehicle vehicle, StateInformation state, Place to) {
-    return avoidance.isOn() && avoidance.isHindered(vehicle, state, to);
+    return avoidance.isOn() && avoidance.straight().isHindered(vehicle, state, to);
   }
 
   /** Whether ground is too high at a place of a circle about a centre of the same altitude. */
   boolean isGroundAt(Vehicle vehicle, StateInformation state, Place place, Place centre) {
-    return avoidance.isOn() && avoidance.isGroundAt(vehicle, state, place, centre);
+    return avoidance.isOn() && avoidance.straight().isGroundAt(vehicle, state, place, centre);
   }
 
   /** Whether traffic comes close on the straight way to a position. */
   boolean comesTraffic(Vehicle vehicle, StateInformation state, Place to) {
-    return avoidance.isOn() && avoidance.comesTraffic(vehicle, state, to);
+    return avoidance.isOn() && avoidance.straight().comesTraffic(vehicle, state, to);
   }
 
   /** Whether an obstacle blocks a straight descent to a position on the ground. */
   boolean blocksDescent(Vehicle vehicle, StateInformation state, Place from, Place to) {
-    return avoidance.isOn() && avoidance.blocksDescent(vehicle, state, from, to);
+    return avoidance.isOn() && avoidance.straight().blocksDescent(vehicle, state, from, to);
   }
 
   /** Whether something above or below held the vehicle up at the last state. */
@@ -215,13 +216,13 @@ final class Detour {
     Place ahead = vehicle.place().moved(distanceM * Math.cos(course), distanceM * Math.sin(course));
     OptionalDouble upM = target.upM();
     Place to = upM.isPresent() ? ahead.at(upM.getAsDouble()) : ahead;
-    return avoidance.isHindered(vehicle, state, to)
-        || avoidance.isGroundAhead(vehicle, state, vehicle.place(), to);
+    return avoidance.straight().isHindered(vehicle, state, to)
+        || avoidance.straight().isGroundAhead(vehicle, state, vehicle.place(), to);
   }
 
   /** Whether ground is too high for a straight way from one position to another. */
   boolean isGroundOnWay(Vehicle vehicle, StateInformation state, Place from, Place to) {
-    return avoidance.isOn() && avoidance.isGroundAhead(vehicle, state, from, to);
+    return avoidance.isOn() && avoidance.straight().isGroundAhead(vehicle, state, from, to);
   }
 
   /** The next step of the planned route; ends the pursuit if there is none. */

@@ -26,6 +26,7 @@ import org.u2sa.planning.avoidance.AvoidanceVariables;
 import org.u2sa.planning.flight.FlightChecks;
 import org.u2sa.planning.flight.FlightVariables;
 import org.u2sa.planning.flight.TakeOffWatch;
+import org.u2sa.planning.goals.GoalChoice;
 import org.u2sa.planning.guidance.ChosenGuidance;
 import org.u2sa.planning.guidance.HeadwayWatch;
 import org.u2sa.planning.guidance.LineSettings;

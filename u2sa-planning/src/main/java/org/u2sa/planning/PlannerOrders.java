@@ -6,6 +6,7 @@ import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.safety.ManualState;
+import org.u2sa.planning.goals.MissionTime;
 import org.u2sa.service.handover.HandOver;
 
 /**

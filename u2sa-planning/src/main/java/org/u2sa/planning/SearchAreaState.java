@@ -218,7 +218,7 @@ final class SearchAreaState implements PlannerState {
       return towards(area, vehicle, state, leg.entry());
     }
     boolean hindered =
-        avoidance.isOn() && avoidance.isHindered(vehicle, state, place(leg.end(), area));
+        avoidance.isOn() && avoidance.straight().isHindered(vehicle, state, place(leg.end(), area));
     if (hindered != evades) {
       evades = hindered;
       avoidance.begin();

@@ -25,12 +25,10 @@ import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.local.ArcChoice;
 import org.u2sa.planning.local.ArcChooser;
 import org.u2sa.planning.local.RouteTrack;
-import org.u2sa.planning.local.StopSpeed;
 import org.u2sa.planning.local.VerticalRoom;
 import org.u2sa.planning.route.RoutePlanner;
 import org.u2sa.planning.route.RoutePlanners;
 import org.u2sa.planning.search.BodyDiscs;
-import org.u2sa.planning.search.CostGrid;
 import org.u2sa.planning.seen.Mover;
 import org.u2sa.planning.seen.PlanningPlane;
 import org.u2sa.planning.seen.SeenWorld;
@@ -43,7 +41,6 @@ import org.u2sa.planning.seen.SeenWorld;
 public final class Avoidance {
   private static final String NONE = "NONE";
   private static final double IN_PLACE_M = 2.0; // beside or above, within which it is at a place
-  private static final double STILL_MPS = 0.1; // slower motion has no direction
 
   private final Supplier<String> chosen;
   private final Supplier<AvoidanceVariables> settings;
@@ -56,7 +53,7 @@ public final class Avoidance {
   private final PathNews news;
   private final VerticalEvasion climbing;
   private final RouteGround highGround;
-  private final StraightFlight straight;
+  private final StraightWays straight;
   private final VerticalGuard vertical;
   private final InPlaceEvasion inPlace;
   private final DriftWatch drift;
@@ -133,7 +130,8 @@ public final class Avoidance {
     GroundMap map = new GroundMap(terrain);
     climbing = new VerticalEvasion(map, say);
     highGround = new RouteGround(map, world, slope);
-    straight = new StraightFlight(world);
+    straight =
+        new StraightWays(settings, lines, world, highGround, this::planeOf, this::remainingM);
     vertical = new VerticalGuard(world, say);
     drift = new DriftWatch(settings);
     inPlace = new InPlaceEvasion(world, climbing, settings, lines, say, this::arcs);
@@ -147,6 +145,11 @@ public final class Avoidance {
 
   public boolean isOn() {
     return !chosen.get().equals(NONE);
+  }
+
+  /** Whether and how fast the vehicle can move straight. */
+  public StraightWays straight() {
+    return straight;
   }
 
   public SeenWorld world() {
@@ -217,146 +220,6 @@ public final class Avoidance {
   }
 
   /**
-   * Whether something is in the way of a vehicle that flies straight to a position: an obstacle
-   * near the line, or traffic.
-   */
-  public boolean isHindered(Vehicle vehicle, StateInformation state, Place to) {
-    boolean hasTraffic = comesTraffic(vehicle, state, to);
-    AvoidanceVariables now = settings.get();
-    return straight.isObstructed(vehicle, vehicle.on(plane), to, body(now), now) || hasTraffic;
-  }
-
-  /**
-   * Whether ground is too high for a straight way to a position, with a climb or descent at once;
-   * level to one without altitude.
-   */
-  public boolean isGroundBetween(Vehicle vehicle, StateInformation state, Place to) {
-    AvoidanceVariables now = settings.get();
-    lieOn(world.plane(state));
-    return state.z().isPresent()
-        && highGround.isBetween(
-            plane, vehicle.on(plane), vehicle.nedOf(to), speedMps(vehicle, now), now);
-  }
-
-  /**
-   * Likewise, of a straight way from anywhere that the vehicle leaves on the way: its end is no
-   * goal.
-   */
-  public boolean isGroundAhead(Vehicle vehicle, StateInformation state, Place from, Place to) {
-    AvoidanceVariables now = settings.get();
-    lieOn(world.plane(state));
-    Point ahead = vehicle.nedOf(from);
-    return state.z().isPresent()
-        && highGround.isAhead(
-            plane,
-            vehicle.on(plane).plus(ahead),
-            vehicle.nedOf(to).minus(ahead),
-            speedMps(vehicle, now),
-            now);
-  }
-
-  private static double speedMps(Vehicle vehicle, AvoidanceVariables now) {
-    return Math.max(vehicle.speedMps(), Math.max(now.minSpeed(), now.plannedSpeed()));
-  }
-
-  /** Whether ground is too high at a place of a circle about a centre of the same altitude. */
-  public boolean isGroundAt(Vehicle vehicle, StateInformation state, Place place, Place centre) {
-    lieOn(world.plane(state));
-    Point at = vehicle.on(plane);
-    return state.z().isPresent()
-        && place.upM().isPresent()
-        && highGround.isAt(
-            plane, at.plus(vehicle.nedOf(place)), at.plus(vehicle.nedOf(centre)), settings.get());
-  }
-
-  /**
-   * Whether a static obstacle, as of the last update, is too close to a straight descent to a point
-   * on the ground. Near the ground, the required distance equals the aircraft's height.
-   */
-  public boolean blocksDescent(Vehicle vehicle, StateInformation state, Place from, Place to) {
-    AvoidanceVariables now = settings.get();
-    Point at = vehicle.on(world.plane(state));
-    return straight.blocksDescent(vehicle, at, from, to, body(now), now);
-  }
-
-  /**
-   * Whether traffic comes close within the horizon if the vehicle flies straight on.
-   *
-   * @param to point to which it climbs or descends
-   */
-  public boolean comesTraffic(Vehicle vehicle, StateInformation state, Place to) {
-    AvoidanceVariables now = settings.get();
-    lieOn(world.plane(state));
-    Point at = vehicle.on(plane);
-    world.update(state, at.x(), at.y(), at.z(), at.z() + vehicle.nedOf(to).z());
-    return straight.comesTraffic(vehicle, at, body(now), now);
-  }
-
-  /** Whether a straight way to a position leads into something that stands. */
-  public boolean isBlocked(Vehicle vehicle, StateInformation state, Place to) {
-    return blocker(vehicle, state, vehicle.nedOf(to)).isPresent();
-  }
-
-  /**
-   * Room of a vehicle on a surface where it is.
-   *
-   * @param to position to which it would move straight
-   */
-  public SurfaceRoom room(Vehicle vehicle, StateInformation state, Place to) {
-    AvoidanceVariables now = settings.get();
-    lieOn(world.plane(state));
-    Point at = vehicle.on(plane);
-    Point way = vehicle.nedOf(to);
-    world.update(state, at.x(), at.y(), at.z(), at.z() + way.z());
-    CostGrid costs = world.costs();
-    double touchM = now.touchM(costs.frame().cellM());
-    double turnRadiusM = Situation.turnRadiusM(now, lines.get(), vehicle.speedMps());
-    return new SurfaceRoom(costs, body(now), at, vehicle.headingRad(), way, touchM, turnRadiusM);
-  }
-
-  /**
-   * Speed of a vehicle on a surface that moves straight to where it stops [m/s]: the wanted one, or
-   * less to stop there, before what stands beyond, and before what stands where it is moving to.
-   *
-   * @param berths whether it moves along the straight way to a berth, which may be narrow
-   */
-  public double straightMps(
-      Vehicle vehicle, StateInformation state, Wanted wanted, boolean berths) {
-    SurfaceRoom room = room(vehicle, state, wanted.target());
-    StopSpeed speed = stopSpeed(vehicle, wanted);
-    double cellM = room.grid().frame().cellM();
-    double reachM = cellM + speed.reachM(vehicle.speedMps());
-    double freeM = berths ? room.freeInBerthM(reachM) : room.freeAlongWayM(reachM);
-    double closing = room.alongWay(vehicle.northMps(), vehicle.eastMps());
-    double thatWay = speed.mps(Math.min(room.wayM(), freeM - cellM), closing);
-    if (berths || vehicle.speedMps() <= STILL_MPS) {
-      return thatWay;
-    }
-    double aheadM = room.freeM(vehicle.courseRad(), reachM) - cellM;
-    return Math.min(thatWay, speed.mps(aheadM, vehicle.speedMps()));
-  }
-
-  /** Speed from which the vehicle stops where its route ends, or at the goal without one [m/s]. */
-  public double stoppableMps(Vehicle vehicle, Wanted wanted) {
-    Point toGo = vehicle.nedOf(wanted.target());
-    double wayM = Math.max(Math.hypot(toGo.x(), toGo.y()), remainingM().orElse(0.0));
-    return stopSpeed(vehicle, wanted).mps(wayM, vehicle.speedMps());
-  }
-
-  private StopSpeed stopSpeed(Vehicle vehicle, Wanted wanted) {
-    AvoidanceVariables now = settings.get();
-    return new StopSpeed(Situation.limits(vehicle, wanted, now, lines.get(), now.planningCell()));
-  }
-
-  private Optional<String> blocker(Vehicle vehicle, StateInformation state, Point way) {
-    AvoidanceVariables now = settings.get();
-    lieOn(world.plane(state));
-    Point at = vehicle.on(plane);
-    world.update(state, at.x(), at.y(), at.z(), at.z() + way.z());
-    return straight.blocker(at, way, body(now), now);
-  }
-
-  /**
    * Changes the point to which an aircraft that can stop flies straight, or at which it hovers, if
    * traffic comes too close there or on the way, unless a step has led there. A climb or descent in
    * place is left to {@link #guard}.
@@ -414,7 +277,7 @@ public final class Avoidance {
     if (evades || !guards(state) || Math.hypot(way.x(), way.y()) < IN_PLACE_M) {
       return evades;
     }
-    String stands = blocker(vehicle, state, way).orElse("");
+    String stands = straight.blocker(vehicle, state, way).orElse("");
     if (!stands.isEmpty()) {
       point.point(Point.ORIGIN).speed(0.0);
     }
@@ -489,6 +352,11 @@ public final class Avoidance {
       began = Optional.of(vehicle.place());
     }
     return began.get();
+  }
+
+  private PlanningPlane planeOf(StateInformation state) {
+    lieOn(world.plane(state));
+    return plane;
   }
 
   private void lieOn(PlanningPlane now) {

@@ -1,4 +1,4 @@
-package org.u2sa.planning;
+package org.u2sa.planning.goals;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,4 +1,4 @@
-package org.u2sa.planning.avoidance;
+package org.u2sa.planning.local;
 
 import org.u2sa.messages.frame.Point;
 import org.u2sa.planning.curve.Pose;

@@ -1,4 +1,4 @@
-package org.u2sa.planning;
+package org.u2sa.planning.goals;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -8,10 +8,10 @@ import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
 
 /** Chooses among the current goals, and predicts the next one. Immutable. */
-final class GoalChoice {
+public final class GoalChoice {
   private final GoalList list;
 
-  GoalChoice(GoalList list) {
+  public GoalChoice(GoalList list) {
     this.list = list;
   }
 
@@ -20,11 +20,12 @@ final class GoalChoice {
    *
    * @param preferred UID of the goal being pursued or predicted; empty if none
    */
-  Optional<GoalInformation> goal(String preferred, ToDoubleFunction<GoalInformation> distance) {
+  public Optional<GoalInformation> goal(
+      String preferred, ToDoubleFunction<GoalInformation> distance) {
     return choose(list.goals(), preferred, distance);
   }
 
-  Optional<GoalInformation> after(
+  public Optional<GoalInformation> after(
       GoalInformation goal, String preferred, ToDoubleFunction<GoalInformation> distance) {
     return choose(candidates(goal), preferred, distance);
   }
