@@ -110,8 +110,14 @@ public class PathPlanner extends EventDrivenService {
     detour = new Detour(avoidance);
     Settings<FlightVariables> flight = settings(FlightVariables.class);
     ground = new GroundStay(flight, this::isAeroplane);
+    Settings<StationVariables> stations = settings(StationVariables.class);
     StationCircle circle =
-        new StationCircle(detour, this::lines, () -> settings.get().loiterRadius(), flight);
+        new StationCircle(
+            detour,
+            this::lines,
+            () -> settings.get().loiterRadius(),
+            flight,
+            () -> stations.get().stationGiveUpAfter());
     PayloadReleases releases = new PayloadReleases();
     states =
         new PlannerStates(
@@ -119,12 +125,7 @@ public class PathPlanner extends EventDrivenService {
                 new WaypointState(
                     guidance, settings, avoidance, rightOfWay, seeing, detour, ground::isArmed),
                 new ObjectGoalState(avoidance, seeing),
-                new StationState(
-                    guidance,
-                    settings(StationVariables.class),
-                    circle,
-                    detour,
-                    () -> seeing.get().drifts()),
+                new StationState(guidance, stations, circle, detour, () -> seeing.get().drifts()),
                 new SearchAreaState(
                     avoidance, guidance, survey, seeing, this::lines, new SurveyHeights(terrain)),
                 new TakeOffState(this::lines, flight, this::isAeroplane),

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.DoubleSupplier;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.u2sa.interfaces.time.Clock;
@@ -32,6 +33,8 @@ final class StationCircle {
       1.2; // distance along the circle to check for obstructions
   private static final double NEXT_ENTRY_RAD = Math.toRadians(60.0);
   private static final int ENTRIES = 5;
+  private static final double AWAY = 0.5; // in radii: not at an entry
+  private static final double AT = 0.25; // at it
   private static final double UNREACHABLE_S = 4.0; // time without a route to an entry
   private static final double ALONG_RAD = Math.toRadians(45.0); // maximum course error
   private static final double SLACK = 0.05; // of the radius
@@ -49,15 +52,19 @@ final class StationCircle {
   private final Supplier<LineSettings> lines;
   private final Supplier<Double> radiusM; // default for stations without a radius
   private final Supplier<FlightVariables> settings;
+  private final DoubleSupplier giveUpAfterS; // without coming farther along the circle; 0: never
   private LoiterCircle circle; // null before the first plan
   private Optional<Place> place = Optional.empty(); // its centre as given by the station
   private double givenM; // its radius as given by the station; 0: none
   private int
       entry; // number of the current detour's entry, from 1; 0: on the circle or straight to it
   private double entryRad; // the entry's direction from the centre
+  private boolean hasLeft; // has been away from the entry since it was chosen
   private long lostSince; // since when there is no route; MAX_VALUE with one
   private long sinceMicros; // since when it counts; MIN_VALUE before
   private double turnedRad;
+  private double farthestRad; // that it has turned
+  private long farthestMicros; // when it had
   private double widerM; // distance of the point ahead outside the circle
   private long widenedMicros;
   private double bearingRad;
@@ -66,11 +73,13 @@ final class StationCircle {
       Detour detour,
       Supplier<LineSettings> lines,
       Supplier<Double> radius,
-      Supplier<FlightVariables> settings) {
+      Supplier<FlightVariables> settings,
+      DoubleSupplier giveUpAfterS) {
     this.detour = detour;
     this.lines = lines;
     this.radiusM = radius;
     this.settings = settings;
+    this.giveUpAfterS = giveUpAfterS;
   }
 
   /** Whether the vehicle circles rather than stays. */
@@ -92,6 +101,7 @@ final class StationCircle {
             : LoiterCircle.signed(centre, givenM);
     sinceMicros = Long.MIN_VALUE;
     turnedRad = 0.0;
+    farthestRad = Double.NEGATIVE_INFINITY;
     widerM = 0.0;
     entry = 0;
     detour.begin();
@@ -120,6 +130,7 @@ final class StationCircle {
     widerM = state.number("STATION WIDER").orElse(0.0);
     OptionalDouble since = state.number("STATION SINCE");
     sinceMicros = since.isPresent() ? Clock.micros(since.getAsDouble()) : Long.MIN_VALUE;
+    farthestRad = Double.NEGATIVE_INFINITY;
     bearingRad = Double.NaN;
     entry = 0;
     detour.begin();
@@ -161,10 +172,15 @@ final class StationCircle {
       String why = "given up: the ground is too high along " + highDeg + " degrees of the circle";
       return new Plan(List.of(point), Plan.Progress.ABANDONED, why);
     }
+    double idleS = Clock.seconds(vehicle.timestampMicros() - farthestMicros);
+    if (entry > 0 && giveUpAfterS.getAsDouble() > 0.0 && idleS > giveUpAfterS.getAsDouble()) {
+      String why = String.format(Locale.ROOT, "given up: no farther along it for %.0f s", idleS);
+      return new Plan(List.of(point), Plan.Progress.ABANDONED, why);
+    }
     boolean isFree = !isHindered(vehicle, state);
     if (entry > 0 && isFree && isAlong(vehicle)) {
       entry = 0;
-    } else if (entry == 0 && !isFree) {
+    } else if (!isFree && (entry == 0 || isAtEntry(vehicle))) {
       enter(1, vehicle);
     }
     return entry == 0 ? Plan.underWay(List.of(point)) : around(station, state, vehicle, point);
@@ -193,8 +209,19 @@ final class StationCircle {
         && Math.abs(Leg.wrapped(vehicle.courseRad() - course)) < ALONG_RAD;
   }
 
+  /** Whether it has come to the entry: if the circle is obstructed there, a later one is next. */
+  private boolean isAtEntry(Vehicle vehicle) {
+    Point to = vehicle.nedOf(circle.at(entryRad));
+    double toGoM = Math.hypot(to.x(), to.y());
+    hasLeft |= toGoM > AWAY * circle.radiusM();
+    double nearM = Math.max(settings.get().approachAccuracy(), AT * circle.radiusM());
+    double beyond = circle.sense() * Leg.wrapped(circle.bearingRad(vehicle) - entryRad);
+    return hasLeft && toGoM < nearM && beyond >= 0.0;
+  }
+
   private void enter(int number, Vehicle vehicle) {
     entry = number;
+    hasLeft = false;
     entryRad = circle.bearingRad(vehicle) + circle.sense() * (1 + number) * NEXT_ENTRY_RAD;
     lostSince = Long.MAX_VALUE;
     detour.begin();
@@ -239,6 +266,10 @@ final class StationCircle {
     } else if (Math.abs(circle.outsideM(vehicle)) < settings.get().approachAccuracy()
         && Math.abs(downM) <= tolerance) {
       sinceMicros = vehicle.timestampMicros();
+    }
+    if (sinceMicros == Long.MIN_VALUE || turnedRad > farthestRad) {
+      farthestRad = turnedRad;
+      farthestMicros = vehicle.timestampMicros();
     }
     bearingRad = now;
   }

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.NavigationPoint;
@@ -209,5 +210,19 @@ class StationCircleTest extends PlannedVehicle {
       assertThat(track)
           .allMatch(at -> Math.hypot(at[0] - tower.x() + NORTH_M, at[1] - tower.y()) > 110.0);
     }
+  }
+
+  /** The part between the towers is too short to join the circle on it. */
+  @ParameterizedTest
+  @CsvSource({"800, 45", "800, 60", "-800, 45", "-800, 60"})
+  void plan_twoTowersOnTheCircle_itIsFlownOrGivenUp(double radiusM, double apartDeg) {
+    start("AIR");
+    tower(0.0, RADIUS_M);
+    double bearing = Math.toRadians(90.0 - apartDeg);
+    tower(RADIUS_M * Math.cos(bearing), RADIUS_M * Math.sin(bearing));
+    goals(station().turns(1.0).radius(radiusM));
+
+    fly(1500.0);
+    assertThat(kit.latest(Channels.GOAL_REPORTS)).isPresent();
   }
 }

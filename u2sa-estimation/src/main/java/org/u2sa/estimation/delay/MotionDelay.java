@@ -45,13 +45,13 @@ public final class MotionDelay {
   private static final double LONGEST_GAP_S = 1.5;
   private static final double MEMORY_S = 20.0;
   private static final double FIT_MEMORY = 20.0; // velocities
-  private static final double LEAST_MISFIT = 0.3;
+  private static final double MIN_MISFIT = 0.3;
   private static final double USUAL_S = 0.2;
   private static final double FEW = 8.0; // velocities
-  private static final double MOST_MISFIT = 1.0; // otherwise no delay explains the velocities
+  private static final double MAX_MISFIT = 1.0; // otherwise no delay explains the velocities
   private static final double MUCH_BETTER = 0.5; // unless it does so by far
-  private static final double MOST = 20.0; // evidence
-  private static final double MOST_AT_ONCE = 25.0; // χ²
+  private static final double MAX_EVIDENCE = 20.0; // evidence
+  private static final double MAX_CHI2 = 25.0; // χ²
 
   private static final double CERTAIN = 10.0; // evidence
 
@@ -130,13 +130,13 @@ public final class MotionDelay {
     double best = Double.MAX_VALUE;
     for (int k = 0; k < DELAYS; k++) {
       int own = at + FIRST + k * EACH;
-      double now = Math.min(MOST_AT_ONCE, chi2[k] / Math.max(LEAST_MISFIT, misfit)) / 2.0;
+      double now = Math.min(MAX_CHI2, chi2[k] / Math.max(MIN_MISFIT, misfit)) / 2.0;
       x[own + EVIDENCE] = kept * x[own + EVIDENCE] + now;
       best = Math.min(best, x[own + EVIDENCE]);
     }
     for (int k = 0; k < DELAYS; k++) {
       int own = at + FIRST + k * EACH;
-      x[own + EVIDENCE] = Math.min(MOST, x[own + EVIDENCE] - best);
+      x[own + EVIDENCE] = Math.min(MAX_EVIDENCE, x[own + EVIDENCE] - best);
     }
   }
 
@@ -166,7 +166,7 @@ public final class MotionDelay {
     double k = Math.min(DELAYS - 1.0, delayS / STEP_S);
     int low = (int) Math.min(DELAYS - 2.0, k);
     int best = best(x, at);
-    double most = Math.max(MOST_MISFIT, MUCH_BETTER * misfit(x, at, (int) Math.rint(k)));
+    double most = Math.max(MAX_MISFIT, MUCH_BETTER * misfit(x, at, (int) Math.rint(k)));
     if (x[at + COUNT] <= FEW || misfit(x, at, best) > most) {
       return 0.0;
     }

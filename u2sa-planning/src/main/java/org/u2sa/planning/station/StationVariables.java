@@ -23,5 +23,5 @@ public record StationVariables(
         double berthLookAhead,
     @Variable(unit = "s", min = 0, max = 100000, ifAbsent = 300)
         @Description(
-            "Time near a station, in addition to its duration and its straight way, after which it is given up if it has not been kept for its duration; 0: never.")
+            "Time near a station, in addition to its duration and its straight way, after which it is given up if it has not been kept for its duration; likewise on a detour from a circle without coming farther along it; 0: never.")
         double stationGiveUpAfter) {}
