@@ -141,6 +141,14 @@ final class Detour {
         || avoidance.straight().room(vehicle, state, vehicle.place()).isEnoughToTurn(turnRad);
   }
 
+  /** Whether such a vehicle can turn on its straight way to a position. */
+  boolean hasRoomToTurnOnWay(Vehicle vehicle, StateInformation state, Place to, double turnRad) {
+    return !avoidance.isOn()
+        || avoidance.guards(state)
+        || Math.abs(turnRad) < SMALL_RAD
+        || avoidance.straight().room(vehicle, state, to).isEnoughToTurnOnWay(turnRad);
+  }
+
   /** Whether something, or the ground, blocks the straight way to a position. */
   boolean isHindered(Vehicle vehicle, StateInformation state, Place to) {
     return isObstructed(vehicle, state, to)

@@ -193,13 +193,15 @@ final class StationState implements PlannerState {
       point = NavigationPoint.at(vehicle.body(vehicle.nedOf(inside.get())));
       slow(point, vehicle, pursuit.state(), to(inside.get(), wanted), false);
     } else if (stays) {
-      point = towards(Point.ORIGIN, Optional.empty(), station, vehicle).speed(0.0);
+      point = towards(Point.ORIGIN, Optional.empty(), station, vehicle, true).speed(0.0);
     } else if (phase == Phase.BERTHING) {
       point = way.point(leg, to.z(), turn(station, vehicle), station, vehicle, settings.get());
       slow(point, vehicle, pursuit.state(), berth(station, place), true);
     } else {
       Point target = phase == Phase.TRANSIT ? start : to;
-      point = towards(target, isBerth ? Optional.empty() : Optional.of(place), station, vehicle);
+      Optional<Place> line = isBerth ? Optional.empty() : Optional.of(place);
+      boolean mayTurn = isBerth || mayTurn(station, vehicle, pursuit.state(), wanted);
+      point = towards(target, line, station, vehicle, mayTurn);
       Avoidance.Wanted end = isOnStraightWay ? berth(station, place) : wanted;
       slow(point, vehicle, pursuit.state(), end, isOnStraightWay);
       if (isOnStraightWay && station.backwards()) {
@@ -333,9 +335,17 @@ final class StationState implements PlannerState {
     return Leg.wrapped(station.psi().getAsDouble() - vehicle.headingRad());
   }
 
+  /** Whether it turns to the station's heading already on the way there. */
+  private boolean mayTurn(
+      Station station, Vehicle vehicle, StateInformation state, Avoidance.Wanted wanted) {
+    return station.psi().isEmpty()
+        || length(vehicle.nedOf(wanted.target())) <= wanted.thresholdM()
+        || detour.hasRoomToTurnOnWay(vehicle, state, wanted.target(), turn(station, vehicle));
+  }
+
   /** Moves to a point; from a distance along a line, if the point is the station itself. */
   private NavigationPoint towards(
-      Point ned, Optional<Place> place, Station station, Vehicle vehicle) {
+      Point ned, Optional<Place> place, Station station, Vehicle vehicle, boolean mayTurn) {
     boolean isNear = length(ned) <= settings.get().stationTurnWithin();
     Point body =
         isNear || place.isEmpty()
@@ -343,7 +353,7 @@ final class StationState implements PlannerState {
             : guidance.towards(
                 vehicle, place.get(), station.horizontalThreshold(), Optional.empty());
     NavigationPoint point = NavigationPoint.at(body);
-    if (isNear && station.psi().isPresent()) {
+    if (isNear && mayTurn && station.psi().isPresent()) {
       boolean isStart = place.isEmpty() && phase == Phase.TRANSIT;
       double within = within(isStart, station);
       heading.turnRad(ned, turn(station, vehicle), within, vehicle).ifPresent(point::turn);

@@ -122,6 +122,17 @@ public record SurfaceRoom(
     return isFree || hereM() < 0.0;
   }
 
+  /** Likewise, anywhere on the way. */
+  public boolean isEnoughToTurnOnWay(double turnRad) {
+    double leastM = leastM();
+    for (double k = 1.0; k <= TURN_CHECKS; k++) {
+      if (isCloser(REACH_M, headingRad + k / TURN_CHECKS * turnRad, leastM)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
   private double hereM() {
     return clearanceM(at, headingRad);
   }
