@@ -33,7 +33,7 @@ final class GoalAttempt {
   private final TrafficHold hold;
   private Behaviour behaviour;
   private int recoveries;
-  private boolean triedAhead; // looked for a route other than over unseen ground behind
+  private boolean triedAhead; // and found no route other than over unseen ground behind
   private long overlooksUntil = Long.MIN_VALUE;
 
   /**
@@ -108,6 +108,7 @@ final class GoalAttempt {
           ? current
           : new Searching(routes, micros);
     }
+    triedAhead &= !(current instanceof GoingAhead);
     return current instanceof Following following && following.isAlong(track.get())
         ? current
         : new Following(track.get(), watch);

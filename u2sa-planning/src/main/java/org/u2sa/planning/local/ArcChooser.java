@@ -33,6 +33,7 @@ public final class ArcChooser {
   private final MotionForecast forecast;
   private final Evasion evasion;
   private final TurnRoom turnRoom;
+  private final boolean backsOut; // already makes room in reverse
   private final Optional<VerticalRoom> room;
   private final Optional<SteeredChoice> drifting; // drift of a boat carried by wind and current
 
@@ -63,6 +64,7 @@ public final class ArcChooser {
     this.room = room;
     boolean makesRoom =
         before.filter(choice -> choice.kind() == ArcChoice.Kind.MAKE_ROOM).isPresent();
+    backsOut = makesRoom && before.get().backwards();
     turnRoom = new TurnRoom(costs, body, limits, pose, speedMps, makesRoom);
     VerticalRoom heights = room.orElse(null);
     TrafficForecast traffic = new TrafficForecast(movers, body, limits, pose, nowMicros, heights);
@@ -271,6 +273,9 @@ public final class ArcChooser {
     double most = 0.1 * wayM;
     double roomM = 0.0;
     for (int direction = canReverse ? 1 : 0; direction >= 0 && most < wayM; direction--) {
+      if (best != null && backsOut) {
+        break; // a longer way ahead would make it go to and fro
+      }
       boolean backwards = direction == 1;
       for (int side = 0; side <= 2 * FAN; side++) {
         int k = (side % 2 == 0 ? 1 : -1) * ((side + 1) / 2); // straight first

@@ -486,4 +486,17 @@ class ArcChooserTest {
     assertThat(choice.backwards()).isTrue();
     assertThat(choice.eastM()).isNegative();
   }
+
+  /** Behind it, there is less room than ahead: it would otherwise go to and fro. */
+  @Test
+  void along_makingRoomInReverse_goesOnAlthoughTheWayAheadIsLonger() {
+    wall(-0.9, 8.0, 0.35, 0.5);
+    wall(-1.1, -1.0, -3.0, 3.0);
+    ArcChoice before = new ArcChoice(-1.0, 0.0, 0.3, true, ArcChoice.Kind.MAKE_ROOM);
+
+    ArcChoice choice = arcs(rover(), -0.1, Optional.of(before)).along(track(-10.0, 0.0, false));
+
+    assertThat(choice.kind()).isEqualTo(ArcChoice.Kind.MAKE_ROOM);
+    assertThat(choice.backwards()).isTrue();
+  }
 }
