@@ -2,6 +2,7 @@ package org.u2sa.planning.avoidance;
 
 import java.util.Optional;
 import java.util.function.BiConsumer;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.planning.local.ArcChoice;
 import org.u2sa.planning.local.ArcChooser;
 import org.u2sa.planning.local.RouteTrack;
@@ -11,7 +12,8 @@ import org.u2sa.planning.local.RouteTrack;
  *
  * <pre>
  * {@link Searching} ── route found ──▶ {@link Following} ── no progress ──▶ {@link BackingOut}
- *        ◀── route blocked, none left ──                                         │
+ *        ◀── route blocked, none left ──           │                             │
+ *        ◀────────────── {@link GoingAhead} ◀── leads back over unseen ground    │
  *        ◀───────────────────────── backed out ─────────────────────────────────┘
  * </pre>
  *
@@ -21,6 +23,9 @@ import org.u2sa.planning.local.RouteTrack;
 final class GoalAttempt {
   private static final int BACKING_SHARE = 3; // divisor of STUCK AFTER: duration of backing out
 
+  /** Duration of the search for a way ahead: one noisy scan may close a narrow passage. */
+  private static final long AHEAD_MICROS = 4 * Clock.MICROS_PER_SECOND;
+
   private final RouteKeeper routes;
   private final Passages passages;
   private final BiConsumer<String, Boolean> say;
@@ -28,6 +33,7 @@ final class GoalAttempt {
   private final TrafficHold hold;
   private Behaviour behaviour;
   private int recoveries;
+  private boolean triedAhead; // and found no route other than over unseen ground behind
   private long overlooksUntil = Long.MIN_VALUE;
 
   /**
@@ -65,10 +71,30 @@ final class GoalAttempt {
   /** Chooses the motion of this step, after {@link RouteKeeper#update}. */
   ArcChoice choose(ArcChooser arcs, Situation now) {
     behaviour = next(at(now.micros()), now.micros());
+    ArcChoice choice = behaviour.choose(arcs, now);
+    return behaviour instanceof Following && backsUnseen(choice) ? ahead(arcs, now) : choice;
+  }
+
+  private boolean backsUnseen(ArcChoice choice) {
+    return !triedAhead
+        && choice.kind() == ArcChoice.Kind.MAKE_ROOM
+        && choice.backwards()
+        && routes.endsUnseen(choice);
+  }
+
+  /** Looks for a route ahead before backing where nothing was seen. */
+  private ArcChoice ahead(ArcChooser arcs, Situation now) {
+    triedAhead = true;
+    long until = now.micros() + AHEAD_MICROS;
+    behaviour = new GoingAhead(until, new Searching(routes, now.micros()));
+    routes.tryAhead(now, until);
     return behaviour.choose(arcs, now);
   }
 
   private Behaviour at(long micros) {
+    if (behaviour instanceof GoingAhead going) {
+      return going.at(micros);
+    }
     return behaviour instanceof BackingOut backing ? backing.at(micros) : behaviour;
   }
 
@@ -78,8 +104,11 @@ final class GoalAttempt {
     }
     Optional<RouteTrack> track = routes.track();
     if (track.isEmpty()) {
-      return current instanceof Searching ? current : new Searching(routes, micros);
+      return current instanceof Searching || current instanceof GoingAhead
+          ? current
+          : new Searching(routes, micros);
     }
+    triedAhead &= !(current instanceof GoingAhead);
     return current instanceof Following following && following.isAlong(track.get())
         ? current
         : new Following(track.get(), watch);
@@ -119,5 +148,35 @@ final class GoalAttempt {
     long until = now.micros() + now.settings().stuckMicros() / BACKING_SHARE;
     behaviour = new BackingOut(until, new Searching(routes, now.micros()));
     routes.dropUntil(until - now.settings().replanMicros()); // replan then
+  }
+
+  /**
+   * Drives ahead for a few seconds, until a route leads there: scanner errors may close a passage
+   * on the map beside a vehicle that stands in it.
+   *
+   * @param search the state that follows; its time has already begun
+   */
+  record GoingAhead(long untilMicros, Searching search) implements Behaviour {
+    private static final double WAY_RADII = 1.5; // radii of the vehicle
+
+    /** The state at a time [µs]: this one or the search that follows. */
+    Behaviour at(long micros) {
+      return micros < untilMicros ? this : search;
+    }
+
+    @Override
+    public ArcChoice choose(ArcChooser arcs, Situation now) {
+      return arcs.ahead(WAY_RADII * now.body().circleM());
+    }
+
+    @Override
+    public void leaveOut(long micros) {
+      search.leaveOut(micros);
+    }
+
+    @Override
+    public Optional<String> givesUp(Situation now) {
+      return search.givesUp(now);
+    }
   }
 }

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Supplier;
+import org.u2sa.planning.local.ArcChoice;
 import org.u2sa.planning.local.RouteTrack;
 import org.u2sa.planning.route.Route;
 import org.u2sa.planning.route.RoutePlanner;
@@ -40,6 +41,8 @@ final class RouteKeeper {
   private boolean searches; // search in progress: no route until it ends
   private int revision; // world revision last checked
   private int triedRevision = -1; // world revision of the last search
+  private boolean triesAhead; // looks for a route that does not lead back
+  private long aheadUntil; // time at which it also admits routes that do [µs]
   private int failures; // failed searches, one after the other
   private long plannedMicros = Long.MIN_VALUE / 2;
 
@@ -63,6 +66,7 @@ final class RouteKeeper {
   void begin() {
     dropUntil(Long.MIN_VALUE / 2);
     obstacle = "";
+    triesAhead = false;
   }
 
   /** Drops the route. The next one is planned from the pose at a time [µs]. */
@@ -77,6 +81,27 @@ final class RouteKeeper {
   /** Replans although the world is unchanged since no route was found. */
   void tryAgain() {
     triedRevision = -1;
+  }
+
+  /** Whether the ground where a motion ends was never seen. */
+  boolean endsUnseen(ArcChoice choice) {
+    CostGrid costs = world.costs();
+    int cell = costs.frame().indexAt(choice.northM(), choice.eastM());
+    return cell >= 0 && costs.isUnknown(cell);
+  }
+
+  /**
+   * Looks for a route ahead, through narrow passages too, although one leads back over ground that
+   * was never seen, where the vehicle cannot turn. If none is found until a time [µs], the next
+   * route may lead back.
+   */
+  void tryAhead(Situation now, long until) {
+    triesAhead = true;
+    aheadUntil = until;
+    obstacles.closeUnseen(now.pose(), now.body().circleM() + now.settings().clearance());
+    passages.narrow();
+    say.accept("the way leads back, where nothing was seen: trying the way ahead", false);
+    dropUntil(now.micros() - now.settings().replanMicros());
   }
 
   /** The route, with the vehicle's progress along it. */
@@ -149,6 +174,9 @@ final class RouteKeeper {
     triedRevision = revision; // a longer search may have missed recent changes
     if (route.exists()) {
       failures = 0;
+      triesAhead = false;
+    } else if (triesAhead) {
+      goOnOrTurnBack();
     } else if (!route.goesOn()) {
       failures++;
       obstacles.forgetGaps();
@@ -156,6 +184,16 @@ final class RouteKeeper {
         tryAgain();
         say.accept("no route with room to turn: trying narrower passages", false);
       }
+    }
+  }
+
+  /** Goes on looking for a route ahead, or admits all others again. */
+  private void goOnOrTurnBack() {
+    tryAgain();
+    if (plannedMicros >= aheadUntil) {
+      triesAhead = false;
+      obstacles.forgetGaps();
+      passages.widen();
     }
   }
 

@@ -16,20 +16,25 @@ import org.u2sa.planning.seen.SeenWorld;
 
 /**
  * Virtual obstacles that the planner adds while another route exists: the way back, blocked gaps,
- * and the wrong sides of marks. Confined to the planner's thread.
+ * ground behind the vehicle that was never seen, and the wrong sides of marks. Confined to the
+ * planner's thread.
  */
 final class VirtualObstacles {
+  private static final int CORNERS = 6; // of half a circle
+
   private final SeenWorld world;
   private final FalseGaps gaps = new FalseGaps();
   private final PassSides sides = new PassSides();
   private List<PlanarShape> wayBack = List.of();
+  private List<PlanarShape> unseen = List.of();
 
   VirtualObstacles(SeenWorld world) {
     this.world = world;
   }
 
-  /** Reopens the gaps, because no other route exists or the goal changed. */
+  /** Reopens gaps and unseen ground, because no other route exists or the goal changed. */
   void forgetGaps() {
+    unseen = List.of();
     gaps.forget();
     tell();
   }
@@ -37,6 +42,7 @@ final class VirtualObstacles {
   /** Discards all of them, because the plane changed; takes effect with the next change. */
   void forgetAll() {
     wayBack = List.of();
+    unseen = List.of();
     gaps.forget();
     sides.forget();
   }
@@ -44,6 +50,19 @@ final class VirtualObstacles {
   /** Blocks the way back, up to a distance to each side. */
   void closeBehind(Pose pose, double circleM, double mostM) {
     wayBack = WayBack.closed(world.shapes(), pose, circleM, mostM).map(List::of).orElse(List.of());
+    tell();
+  }
+
+  /** Blocks ground behind the vehicle that was never seen: half a circle about it. */
+  void closeUnseen(Pose pose, double radiusM) {
+    double[] norths = new double[CORNERS + 1];
+    double[] easts = new double[CORNERS + 1];
+    for (int i = 0; i <= CORNERS; i++) {
+      double bearing = pose.headingRad() + Math.PI * (0.5 + (double) i / CORNERS);
+      norths[i] = pose.northM() + radiusM * Math.cos(bearing);
+      easts[i] = pose.eastM() + radiusM * Math.sin(bearing);
+    }
+    unseen = List.of(PlanarShape.wall("unseen", norths, easts));
     tell();
   }
 
@@ -69,6 +88,7 @@ final class VirtualObstacles {
 
   private void tell() {
     List<PlanarShape> all = new ArrayList<>(wayBack);
+    all.addAll(unseen);
     all.addAll(gaps.shapes());
     all.addAll(sides.shapes());
     world.guess(all);

@@ -20,6 +20,7 @@ public final class ArcChooser {
   private static final double LOOKS_RAD = Math.toRadians(12.0); // bearing tolerance
   private static final double CLEARLY_MORE = 0.8; // shortfall ratio to prefer a nearer point
   private static final double SAME_M = 0.005;
+  private static final double ROOMIER_M = 0.005; // difference in mean distance that matters
   private static final double SLOWEST = 0.4; // fraction of the speed, close to a route
   private static final double STILL_MPS = 0.1; // slower drift does not matter
   private static final double NEVER = Double.POSITIVE_INFINITY;
@@ -32,6 +33,7 @@ public final class ArcChooser {
   private final MotionForecast forecast;
   private final Evasion evasion;
   private final TurnRoom turnRoom;
+  private final boolean backsOut; // already makes room in reverse
   private final Optional<VerticalRoom> room;
   private final Optional<SteeredChoice> drifting; // drift of a boat carried by wind and current
 
@@ -62,6 +64,7 @@ public final class ArcChooser {
     this.room = room;
     boolean makesRoom =
         before.filter(choice -> choice.kind() == ArcChoice.Kind.MAKE_ROOM).isPresent();
+    backsOut = makesRoom && before.get().backwards();
     turnRoom = new TurnRoom(costs, body, limits, pose, speedMps, makesRoom);
     VerticalRoom heights = room.orElse(null);
     TrafficForecast traffic = new TrafficForecast(movers, body, limits, pose, nowMicros, heights);
@@ -256,10 +259,23 @@ public final class ArcChooser {
    * is none, acts as {@link #withoutRoute()}, because traffic may come while the vehicle waits.
    */
   public ArcChoice backOut(double wayM) {
+    return longest(wayM, limits.reverses());
+  }
+
+  /** Like {@link #backOut}, but forward only. */
+  public ArcChoice ahead(double wayM) {
+    return longest(wayM, false);
+  }
+
+  /** The longest arc or, among those that are about as long, one that keeps clearly more room. */
+  private ArcChoice longest(double wayM, boolean canReverse) {
     ArcChoice best = null;
     double most = 0.1 * wayM;
-    boolean canReverse = limits.reverses();
+    double roomM = 0.0;
     for (int direction = canReverse ? 1 : 0; direction >= 0 && most < wayM; direction--) {
+      if (best != null && backsOut) {
+        break; // a longer way ahead would make it go to and fro
+      }
       boolean backwards = direction == 1;
       for (int side = 0; side <= 2 * FAN; side++) {
         int k = (side % 2 == 0 ? 1 : -1) * ((side + 1) / 2); // straight first
@@ -267,14 +283,31 @@ public final class ArcChooser {
         double speed = Math.min(0.5 * limits.speedMps(), limits.mps(backwards));
         Outcome outcome = forecast.play(Motion.arc(curvature, backwards, speed, wayM));
         double free = Math.min(wayM, outcome.freeM());
-        if (free > most + 0.05 * wayM && outcome.meetsS() >= limits.horizonS()) {
-          most = free;
-          Pose end = pose.along((backwards ? -1.0 : 1.0) * free, curvature);
-          best = new ArcChoice(end.northM(), end.eastM(), speed, backwards, ArcChoice.Kind.EVADE);
+        double safe = Math.min(speed, limits.stoppableMps(outcome.freeM() - costs.frame().cellM()));
+        if (safe <= 0.0 || outcome.meetsS() < limits.horizonS() || free < most - SAME_M) {
+          continue;
+        }
+        boolean isLonger = free > most + 0.05 * wayM;
+        double thereM = forecast.roomM(curvature, backwards, free);
+        Pose end = pose.along((backwards ? -1.0 : 1.0) * free, curvature);
+        boolean isRoomier =
+            best != null
+                && best.backwards() == backwards
+                && isSeen(end)
+                && thereM > roomM + ROOMIER_M;
+        if (isLonger || isRoomier) {
+          most = Math.max(most, free);
+          roomM = thereM;
+          best = new ArcChoice(end.northM(), end.eastM(), safe, backwards, ArcChoice.Kind.EVADE);
         }
       }
     }
     return best == null ? withoutRoute() : best;
+  }
+
+  private boolean isSeen(Pose at) {
+    int cell = costs.frame().indexAt(at.northM(), at.eastM());
+    return cell >= 0 && !costs.isUnknown(cell);
   }
 
   private boolean turnsTo(double north, double east, boolean backwards) {

@@ -21,6 +21,7 @@ final class MotionForecast {
   private final Pose start;
   private final double startMps;
   private final double requiredM; // closer to a static obstacle is a collision
+  private final double inside; // share of the body's discs on obstacles at the start
   private final double enoughM; // greater distances are not distinguished
   private final double stepS;
 
@@ -54,6 +55,7 @@ final class MotionForecast {
     this.startMps = startMps;
     enoughM = Math.max(costs.frame().cellM(), limits.preferredM());
     requiredM = Math.min(limits.touchM(), clearanceM(start) - 1.0e-6);
+    inside = requiredM < 0.0 ? inside(start) : 0.0;
     stepS = Math.max(0.02, 0.7 * costs.frame().cellM() / Math.max(0.1, limits.speedMps()));
   }
 
@@ -92,6 +94,19 @@ final class MotionForecast {
       }
     }
     return tally.outcome(NEVER);
+  }
+
+  /** Mean distance of the vehicle to static obstacles along an arc of some length [m]. */
+  double roomM(double curvature, boolean backwards, double wayM) {
+    double step = costs.frame().cellM();
+    double sum = 0.0;
+    int count = 0;
+    for (double gone = step; gone <= wayM; gone += step) {
+      Pose at = start.along(backwards ? -gone : gone, curvature);
+      sum += body.meanDistanceM(costs, at.northM(), at.eastM(), at.headingRad());
+      count++;
+    }
+    return count == 0 ? 0.0 : sum / count;
   }
 
   Outcome play(Motion motion) {
@@ -163,7 +178,7 @@ final class MotionForecast {
         if (limits.preferredM() > 0.0) {
           tally.keep(limits.preferredM() - clearance, step);
         }
-        if (clearance < requiredM) {
+        if (clearance < requiredM || inside > 0.0 && inside(at) > inside) {
           freeM = Math.max(0.0, gone - step);
         }
       }
@@ -262,6 +277,10 @@ final class MotionForecast {
     }
     boolean matters = limits.stops() || motion.track() == null && gone <= motion.arcM();
     return matters && room.isGroundNear(at, downM);
+  }
+
+  private double inside(Pose at) {
+    return body.shareInside(costs, at.northM(), at.eastM(), at.headingRad());
   }
 
   private double clearanceM(Pose at) {

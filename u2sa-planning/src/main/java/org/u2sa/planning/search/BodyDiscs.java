@@ -1,11 +1,15 @@
 package org.u2sa.planning.search;
 
+import java.util.function.DoubleUnaryOperator;
+
 /**
  * A rectangular vehicle, covered by discs along its axis, so that a few distances suffice for
  * collision checking (Ziegler, Stiller: Fast Collision Checking for Intelligent Vehicle Motion
  * Planning, IV 2010). Immutable.
  */
 public final class BodyDiscs {
+  private static final double[] AXIS = {0.0};
+
   private final double[] ahead; // ahead of the reference point [m]
   private final double radiusM;
   private final double circleM;
@@ -85,6 +89,37 @@ public final class BodyDiscs {
       least = Math.min(least, grid.distanceM(northM + along * cos, eastM + along * sin));
     }
     return least - radiusM;
+  }
+
+  /** Fraction of discs whose centre is on an occupied cell: there, the clearance is the same. */
+  public double shareInside(CostGrid grid, double northM, double eastM, double headingRad) {
+    return mean(grid, northM, eastM, headingRad, away -> away > 0.0 ? 0.0 : 1.0);
+  }
+
+  /** Mean distance of the discs' centres to the nearest occupied cell [m], up to the reach. */
+  public double meanDistanceM(CostGrid grid, double northM, double eastM, double headingRad) {
+    return mean(grid, northM, eastM, headingRad, away -> away);
+  }
+
+  private double mean(
+      CostGrid grid,
+      double northM,
+      double eastM,
+      double headingRad,
+      DoubleUnaryOperator ofDistance) {
+    double cos = Math.cos(headingRad);
+    double sin = Math.sin(headingRad);
+    double[] forwards = close == null ? ahead : close.ahead;
+    double[] rights = close == null ? AXIS : close.aside;
+    double sum = 0.0;
+    for (double forward : forwards) {
+      for (double right : rights) {
+        double north = northM + forward * cos - right * sin;
+        double east = eastM + forward * sin + right * cos;
+        sum += ofDistance.applyAsDouble(grid.distanceM(north, east));
+      }
+    }
+    return sum / (forwards.length * rights.length);
   }
 
   /** A rectangular vehicle covered closely by small discs: exact to a few centimetres all round. */

@@ -1,6 +1,7 @@
 package org.u2sa.planning.avoidance;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -9,7 +10,9 @@ import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectList;
+import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.shape.Sphere;
 import org.u2sa.planning.curve.Pose;
@@ -27,6 +30,7 @@ final class AvoidanceBench {
   static final double RADIUS_M = 0.6;
   private static final double GOAL_M = 8.0;
   private static final double CELL_M = 0.1;
+  private static final double SPAN_M = 20.0;
 
   private double heightM;
   final AvoidanceVariables settings;
@@ -37,7 +41,7 @@ final class AvoidanceBench {
           () ->
               new SeenWorld.Reading(
                   CELL_M,
-                  20.0,
+                  SPAN_M,
                   new Inflation(RADIUS_M, 1.4, 3.0),
                   0.65,
                   "corridor",
@@ -81,6 +85,26 @@ final class AvoidanceBench {
   void see(ObjectDescription... objects) {
     world.see(new ObjectList().objects(List.of(objects)), 0L);
     world.update(state, 0.0, 0.0, 0.0, 0.0);
+  }
+
+  /** A grid around the vehicle in which nothing was seen south of a northing. */
+  void seeNorthOf(double northM) {
+    int count = (int) Math.round(SPAN_M / CELL_M);
+    byte[] cells = new byte[count * count];
+    Arrays.fill(cells, (byte) -100);
+    // x is north: a column of the grid has the same northing
+    for (int i = 0; i < cells.length; i++) {
+      if ((i % count) * CELL_M - 0.5 * SPAN_M < northM) {
+        cells[i] = OccupancyGrid.UNKNOWN;
+      }
+    }
+    world.see(
+        new OccupancyGrid()
+            .anchor(ReferenceFrame.LOCAL_NED, Point.ORIGIN)
+            .corner(-0.5 * SPAN_M, -0.5 * SPAN_M)
+            .resolution(CELL_M)
+            .cells(count, cells),
+        0L);
   }
 
   static ObjectDescription post(double northM, double eastM) {

@@ -3,6 +3,7 @@ package org.u2sa.planning.avoidance;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.u2sa.planning.local.ArcChoice;
@@ -168,5 +169,56 @@ class GoalAttemptTest {
     judge(0.0);
 
     assertThat(overlooks(100.0)).isFalse();
+  }
+
+  /** Beside a post, where it cannot turn, with a route to the rear of this cost. */
+  private void leadBack(double cost, double seenNorthOfM) {
+    bench.turnsOnTheSpot = true;
+    bench.seeNorthOf(seenNorthOfM);
+    bench.see(AvoidanceBench.post(0.0, 0.45));
+    bench.answer = southward(cost);
+  }
+
+  private static Route southward(double cost) {
+    return Route.of(
+        List.of(new Route.Point(0.0, 0.0, false), new Route.Point(-8.0, 0.0, false)), cost);
+  }
+
+  @Test
+  void choose_routeBackWhereNothingWasSeen_goesAheadUntilARouteLeadsThere() {
+    leadBack(8.0, -0.2);
+    ArcChoice ahead = step(0.0);
+    bench.answer = Route.none("a wall");
+    ArcChoice goesOn = step(1.0);
+    bench.answer = AvoidanceBench.northward(8.0, 20.0);
+    ArcChoice follows = step(2.0);
+
+    assertThat(ahead.backwards()).isFalse();
+    assertThat(ahead.northM()).isPositive();
+    assertThat(goesOn.northM()).isPositive();
+    assertThat(follows.kind()).isEqualTo(Kind.FOLLOW);
+    assertThat(bench.said)
+        .containsExactly("the way leads back, where nothing was seen: trying the way ahead");
+  }
+
+  @Test
+  void choose_noRouteAhead_backsOutAfterSomeSeconds() {
+    leadBack(8.0, -0.2);
+    step(0.0);
+    bench.answer = Route.none("a wall");
+    step(4.5);
+    bench.answer = southward(8.0);
+    ArcChoice back = step(5.5);
+
+    assertThat(back.kind()).isEqualTo(Kind.MAKE_ROOM);
+    assertThat(back.backwards()).isTrue();
+  }
+
+  @Test
+  void choose_routeBackOverSeenGround_backsOutAtOnce() {
+    leadBack(8.0, -9.0);
+
+    assertThat(step(0.0).backwards()).isTrue();
+    assertThat(bench.said).isEmpty();
   }
 }

@@ -52,6 +52,19 @@ class VirtualObstaclesTest {
   }
 
   @Test
+  void closeUnseen_untilNoOtherRouteExists_closesWhatIsBehind() {
+    obstacles.closeUnseen(new Pose(0.0, 0.0, 0.0), 1.0);
+    bench.see();
+    assertThat(isFree(-1.0, 0.0)).isFalse();
+    assertThat(isFree(0.0, 0.0)).isTrue();
+    assertThat(isFree(1.0, 0.0)).isTrue();
+
+    obstacles.forgetGaps();
+    bench.see();
+    assertThat(isFree(-1.0, 0.0)).isTrue();
+  }
+
+  @Test
   void closeBehind_betweenTwoLines_theWayBackIsClosed() {
     bench.see(line(-2.0), line(2.0));
     assertThat(isFree(-1.0, 0.0)).isTrue();

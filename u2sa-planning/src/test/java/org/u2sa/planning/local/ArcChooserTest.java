@@ -64,9 +64,18 @@ class ArcChooserTest {
 
   private ArcChooser arcs(
       MotionLimits limits, double speedMps, Optional<ArcChoice> before, Mover... movers) {
+    return arcs(BODY, limits, speedMps, before, movers);
+  }
+
+  private ArcChooser arcs(
+      BodyDiscs body,
+      MotionLimits limits,
+      double speedMps,
+      Optional<ArcChoice> before,
+      Mover... movers) {
     return new ArcChooser(
         costs,
-        BODY,
+        body,
         List.of(movers),
         limits,
         ORIGIN,
@@ -445,5 +454,49 @@ class ArcChooserTest {
 
     assertThat(choice.backwards()).isFalse();
     assertThat(choice.northM()).isGreaterThan(0.5);
+  }
+
+  /** Its rear corner is already across a wall that the map shows as one row of cells. */
+  @Test
+  void backOut_cornerInAWall_goesNoDeeper() {
+    wall(-4.0, -0.15, 0.11, 0.19);
+    BodyDiscs body = BodyDiscs.closely(0.3, 0.3, 0.5, 0.1);
+    ArcChoice choice = arcs(body, rover(), 0.0, Optional.empty()).backOut(1.0);
+
+    assertThat(choice.backwards()).isFalse();
+    assertThat(choice.northM()).isPositive();
+  }
+
+  @Test
+  void backOut_obstacleWithinItsStoppingDistance_backsMoreSlowly() {
+    wall(-0.8, -0.7, -3.0, 3.0);
+    wall(0.5, 0.6, -3.0, 3.0);
+    ArcChoice choice = arcs(rover(), 0.0).backOut(0.6);
+
+    assertThat(choice.backwards()).isTrue();
+    assertThat(choice.speedMps()).isBetween(0.05, 0.4);
+  }
+
+  @Test
+  void backOut_nearerToOneWallOfAPassage_steersToItsMiddle() {
+    wall(-8.0, 8.0, 0.45, 0.6);
+    wall(-8.0, 8.0, -0.8, -0.65);
+    ArcChoice choice = arcs(rover(), 0.0).backOut(1.0);
+
+    assertThat(choice.backwards()).isTrue();
+    assertThat(choice.eastM()).isNegative();
+  }
+
+  /** Behind it, there is less room than ahead: it would otherwise go to and fro. */
+  @Test
+  void along_makingRoomInReverse_goesOnAlthoughTheWayAheadIsLonger() {
+    wall(-0.9, 8.0, 0.35, 0.5);
+    wall(-1.1, -1.0, -3.0, 3.0);
+    ArcChoice before = new ArcChoice(-1.0, 0.0, 0.3, true, ArcChoice.Kind.MAKE_ROOM);
+
+    ArcChoice choice = arcs(rover(), -0.1, Optional.of(before)).along(track(-10.0, 0.0, false));
+
+    assertThat(choice.kind()).isEqualTo(ArcChoice.Kind.MAKE_ROOM);
+    assertThat(choice.backwards()).isTrue();
   }
 }
