@@ -42,10 +42,14 @@ final class Detour {
     return avoidance.guards(state);
   }
 
-  /** Whether a straight way of such an aircraft leads into something that stands, or the ground. */
+  /**
+   * Whether a straight way of such an aircraft leads into something that stands, or the ground, or
+   * out of the corridors.
+   */
   boolean isBlocked(Vehicle vehicle, StateInformation state, Place to) {
     return avoidance.straight().isBlocked(vehicle, state, to)
-        || avoidance.straight().isGroundBetween(vehicle, state, to);
+        || avoidance.straight().isGroundBetween(vehicle, state, to)
+        || avoidance.straight().leavesCorridors(vehicle, state, vehicle.place(), to);
   }
 
   /** Whether the straight way of a vehicle on a surface leads to something that stands or moves. */
@@ -228,9 +232,14 @@ final class Detour {
         || avoidance.straight().isGroundAhead(vehicle, state, vehicle.place(), to);
   }
 
-  /** Whether ground is too high for a straight way from one position to another. */
-  boolean isGroundOnWay(Vehicle vehicle, StateInformation state, Place from, Place to) {
-    return avoidance.isOn() && avoidance.straight().isGroundAhead(vehicle, state, from, to);
+  /**
+   * Whether a straight way from one position to another is closed: ground is too high, or it leaves
+   * the corridors.
+   */
+  boolean isClosed(Vehicle vehicle, StateInformation state, Place from, Place to) {
+    return avoidance.isOn()
+        && (avoidance.straight().isGroundAhead(vehicle, state, from, to)
+            || avoidance.straight().leavesCorridors(vehicle, state, from, to));
   }
 
   /** The next step of the planned route; ends the pursuit if there is none. */

@@ -46,7 +46,7 @@ final class DropApproach {
     }
     double reachM = detour.turnReachM(vehicle);
     boolean turns = reachM > 0.0 && !isOnPass;
-    if (turns && !isChosen && endsInGround(vehicle, state, aim, reachM)) {
+    if (turns && !isChosen && hasNoRoomBehind(vehicle, state, aim, reachM)) {
       return Optional.of(away(goal, vehicle, state, aim, reachM));
     }
     Optional<Plan> around =
@@ -59,10 +59,11 @@ final class DropApproach {
   }
 
   /** Whether a straight pass from here leaves no room behind it to turn back. */
-  private boolean endsInGround(Vehicle vehicle, StateInformation state, Place aim, double reachM) {
+  private boolean hasNoRoomBehind(
+      Vehicle vehicle, StateInformation state, Place aim, double reachM) {
     Point to = vehicle.nedOf(aim);
     double beyond = reachM / Math.max(1.0, Math.hypot(to.x(), to.y()));
-    return detour.isGroundOnWay(vehicle, state, aim, aim.moved(beyond * to.x(), beyond * to.y()));
+    return detour.isClosed(vehicle, state, aim, aim.moved(beyond * to.x(), beyond * to.y()));
   }
 
   /** Moves to where a pass with enough room begins. */
@@ -74,12 +75,13 @@ final class DropApproach {
             aim,
             Math.atan2(to.y(), to.x()),
             reachM,
-            place -> detour.isGroundOnWay(vehicle, state, aim, place));
+            place -> detour.isClosed(vehicle, state, aim, place));
     if (runIn.isEmpty()) {
       String reason =
           String.format(
               Locale.ROOT,
-              "given up: ground is too high for a straight pass of %.0f m before and behind it",
+              "given up: no straight pass of %.0f m before and behind it keeps off high ground and "
+                  + "inside the corridors",
               reachM);
       return new Plan(List.of(), Plan.Progress.ABANDONED, reason);
     }

@@ -21,6 +21,7 @@ final class StraightFlight {
   private static final double LONGEST_DESCENT_M = 1.0e5;
 
   private static final double CHECK_M = 0.5; // distance between positions of a checked way
+  private static final double MAX_CORRIDOR_STEPS = 2000.0; // of a way inside corridors
   private static final double CLOSER_M = 0.1; // smaller approaches are free
   private static final double REACH_M = 300.0; // a way is checked so far ahead
 
@@ -28,6 +29,32 @@ final class StraightFlight {
 
   StraightFlight(SeenWorld world) {
     this.world = world;
+  }
+
+  /**
+   * Whether a straight way leaves the corridors, one of which must always contain the vehicle; not
+   * from a place that is outside them.
+   *
+   * @param from where it begins, on the planning plane [m]
+   * @param way north and east from there [m]
+   * @param stepM distance between checked positions, at least [m]
+   */
+  boolean leavesCorridors(Point from, Point way, double stepM) {
+    if (world.corridors().isEmpty() || !isInCorridor(from.x(), from.y())) {
+      return false;
+    }
+    double steps = Math.ceil(Math.min(Math.hypot(way.x(), way.y()), FARTHEST_M) / stepM);
+    double most = Math.min(steps, MAX_CORRIDOR_STEPS);
+    for (double i = 1.0; i <= most; i++) {
+      if (!isInCorridor(from.x() + i / most * way.x(), from.y() + i / most * way.y())) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private boolean isInCorridor(double north, double east) {
+    return world.corridors().stream().anyMatch(each -> each.distanceM(north, east) == 0.0);
   }
 
   /**

@@ -53,13 +53,15 @@ public final class StraightWays {
 
   /**
    * Whether something is in the way of a vehicle that flies straight to a position: an obstacle
-   * near the line, or traffic.
+   * near the line, traffic, or the edge of the corridors.
    */
   public boolean isHindered(Vehicle vehicle, StateInformation state, Place to) {
     boolean hasTraffic = comesTraffic(vehicle, state, to);
     AvoidanceVariables now = settings.get();
     Point at = vehicle.on(planes.apply(state));
-    return flight.isObstructed(vehicle, at, to, body(now), now) || hasTraffic;
+    return flight.isObstructed(vehicle, at, to, body(now), now)
+        || hasTraffic
+        || flight.leavesCorridors(at, vehicle.nedOf(to), now.planningCell());
   }
 
   /**
@@ -89,6 +91,14 @@ public final class StraightWays {
             vehicle.nedOf(to).minus(ahead),
             speedMps(vehicle, now),
             now);
+  }
+
+  /** Whether a straight way from one position to another leaves the corridors. */
+  public boolean leavesCorridors(Vehicle vehicle, StateInformation state, Place from, Place to) {
+    Point ahead = vehicle.nedOf(from);
+    Point at = vehicle.on(planes.apply(state)).plus(ahead);
+    return flight.leavesCorridors(
+        at, vehicle.nedOf(to).minus(ahead), settings.get().planningCell());
   }
 
   private static double speedMps(Vehicle vehicle, AvoidanceVariables now) {
