@@ -22,6 +22,7 @@ final class DropApproach {
   private final Detour detour;
   private Optional<RunIn> runIn = Optional.empty(); // on the way to the next pass
   private boolean isChosen; // the pass, such that there is room behind it
+  private int unreached; // beginnings of passes to which no way was found
 
   DropApproach(Detour detour) {
     this.detour = detour;
@@ -30,6 +31,7 @@ final class DropApproach {
   void begin() {
     runIn = Optional.empty();
     isChosen = false;
+    unreached = 0;
     detour.begin();
   }
 
@@ -42,7 +44,7 @@ final class DropApproach {
   Optional<Plan> step(
       PayloadDrop goal, Vehicle vehicle, StateInformation state, Place aim, boolean isOnPass) {
     if (runIn.isPresent()) {
-      return Optional.of(toRunIn(goal, vehicle, state));
+      return Optional.of(toRunIn(goal, vehicle, state, aim));
     }
     double reachM = detour.turnReachM(vehicle);
     boolean turns = reachM > 0.0 && !isOnPass;
@@ -75,7 +77,8 @@ final class DropApproach {
             aim,
             Math.atan2(to.y(), to.x()),
             reachM,
-            place -> detour.isClosed(vehicle, state, aim, place));
+            place -> detour.isClosed(vehicle, state, aim, place),
+            unreached);
     if (runIn.isEmpty()) {
       String reason =
           String.format(
@@ -86,16 +89,19 @@ final class DropApproach {
       return new Plan(List.of(), Plan.Progress.ABANDONED, reason);
     }
     detour.begin();
-    return toRunIn(goal, vehicle, state);
+    return toRunIn(goal, vehicle, state, aim);
   }
 
-  private Plan toRunIn(PayloadDrop goal, Vehicle vehicle, StateInformation state) {
+  private Plan toRunIn(PayloadDrop goal, Vehicle vehicle, StateInformation state, Place aim) {
     RunIn way = runIn.orElseThrow();
     OptionalDouble course = OptionalDouble.of(way.courseRad());
     Plan plan = detour.step(vehicle, state, wanted(goal, way.begin(), course));
     if (way.isReached(vehicle)) {
       begin();
       isChosen = true;
+    } else if (plan.progress() == Plan.Progress.ABANDONED) {
+      unreached++;
+      return away(goal, vehicle, state, aim, way.lengthM());
     }
     return plan;
   }

@@ -21,24 +21,27 @@ public record RunIn(Place begin, double courseRad, double lengthM) {
   private static final double ALIGNED_RAD = Math.toRadians(30.0);
 
   /**
-   * Chooses a free way: the one whose course differs least from a wanted one.
+   * Chooses a free way, by the difference of its course from a wanted one.
    *
    * @param aim where it leads to, at the altitude to be flown
    * @param courseRad wanted course [rad]
    * @param lengthM its length, and that of the way behind the aim [m]
    * @param isBlocked whether ground is too high for the straight and level way from the aim to a
    *     place
-   * @return empty if none is free
+   * @param skipped number of free ways that were tried before in vain
+   * @return empty if no other is free
    */
   public static Optional<RunIn> to(
-      Place aim, double courseRad, double lengthM, Predicate<Place> isBlocked) {
+      Place aim, double courseRad, double lengthM, Predicate<Place> isBlocked, int skipped) {
+    int free = 0;
     for (int i = 0; i < DIRECTIONS; i++) {
       int side = i % 2 == 0 ? 1 : -1;
       double course = Leg.wrapped(courseRad + side * ((i + 1) / 2) * 2.0 * Math.PI / DIRECTIONS);
       double north = lengthM * Math.cos(course);
       double east = lengthM * Math.sin(course);
       Place begin = aim.moved(-north, -east);
-      if (!isBlocked.test(begin) && !isBlocked.test(aim.moved(north, east))) {
+      boolean isFree = !isBlocked.test(begin) && !isBlocked.test(aim.moved(north, east));
+      if (isFree && free++ == skipped) {
         return Optional.of(new RunIn(begin, course, lengthM));
       }
     }

@@ -28,7 +28,8 @@ class RunInTest {
             place -> {
               double bearing = Math.atan2(place.x().getAsDouble(), place.y().getAsDouble());
               return Math.cos(bearing - Math.toRadians(groundDeg)) > Math.cos(Math.toRadians(40.0));
-            });
+            },
+            0);
     return Math.toDegrees(way.orElseThrow().courseRad());
   }
 
@@ -39,9 +40,18 @@ class RunInTest {
     assertThat(courseDeg(wantedDeg, groundDeg)).isCloseTo(courseDeg, within(1e-9));
   }
 
+  @ParameterizedTest
+  @CsvSource({"0, 0", "1, -45", "2, 45", "7, -180"})
+  void to_someTriedBefore_isTheNextOne(int skipped, double courseDeg) {
+    RunIn way = RunIn.to(AIM, 0.0, 100.0, place -> false, skipped).orElseThrow();
+
+    assertThat(Math.toDegrees(way.courseRad())).isCloseTo(courseDeg, within(1e-9));
+    assertThat(RunIn.to(AIM, 0.0, 100.0, place -> false, 8)).isEmpty();
+  }
+
   @Test
   void to_groundAllAround_isNone() {
-    assertThat(RunIn.to(AIM, 0.0, 100.0, place -> true)).isEmpty();
+    assertThat(RunIn.to(AIM, 0.0, 100.0, place -> true, 0)).isEmpty();
   }
 
   @ParameterizedTest
@@ -52,7 +62,7 @@ class RunInTest {
         new StateInformation().referenceFrame(ReferenceFrame.LOCAL_NED).x(north).y(east).z(-50.0);
     double course = Math.toRadians(courseDeg);
     state.xDot(20.0 * Math.cos(course)).yDot(20.0 * Math.sin(course)).psi(course).timestamp(0L);
-    RunIn way = RunIn.to(AIM, 0.0, 100.0, place -> false).orElseThrow();
+    RunIn way = RunIn.to(AIM, 0.0, 100.0, place -> false, 0).orElseThrow();
 
     assertThat(way.isReached(Vehicle.of(state).orElseThrow())).isEqualTo(isReached);
   }
