@@ -1,5 +1,6 @@
 package org.u2sa.estimation.fusion;
 
+import java.util.Arrays;
 import org.u2sa.estimation.delay.MotionDelay;
 import org.u2sa.estimation.delay.MotionSince;
 import org.u2sa.estimation.measurement.Measurement;
@@ -71,6 +72,8 @@ final class DelayErrors {
         s.delaySource[slot] = source;
         s.x[FilterState.DELAYS + slot] = 0.0;
         s.isolate(FilterState.DELAY + slot, sigmaS * sigmaS);
+        int at = slot * MotionDelay.SIZE;
+        Arrays.fill(s.delays, at, at + MotionDelay.SIZE, 0.0); // copies leave free slots out
         return slot;
       }
     }

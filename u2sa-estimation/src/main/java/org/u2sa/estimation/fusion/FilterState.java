@@ -135,13 +135,22 @@ final class FilterState {
     return sources;
   }
 
+  /** Number of delay slots that have a source; they are assigned in order. */
+  private int assignedSlots() {
+    int count = 0;
+    while (count < DELAY_SLOTS && delaySource[count] != NO_SOURCE) {
+      count++;
+    }
+    return count;
+  }
+
   void copyFrom(FilterState o) {
     System.arraycopy(o.x, 0, x, 0, SIZE);
     System.arraycopy(o.p.data, 0, p.data, 0, N * N);
     System.arraycopy(o.search, 0, search, 0, search.length);
     System.arraycopy(o.motion, 0, motion, 0, motion.length);
     System.arraycopy(o.path, 0, path, 0, path.length);
-    System.arraycopy(o.delays, 0, delays, 0, delays.length);
+    System.arraycopy(o.delays, 0, delays, 0, o.assignedSlots() * MotionDelay.SIZE);
     System.arraycopy(o.isDelayShown, 0, isDelayShown, 0, DELAY_SLOTS);
     System.arraycopy(o.sightings, 0, sightings, 0, sightings.length);
     if (trust.length < o.trust.length) {
