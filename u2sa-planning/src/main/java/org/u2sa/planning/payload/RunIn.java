@@ -28,7 +28,7 @@ public record RunIn(Place begin, double courseRad, double lengthM) {
    * @param lengthM its length, and that of the way behind the aim [m]
    * @param isBlocked whether ground is too high for the straight and level way from the aim to a
    *     place
-   * @param skipped number of free ways that were tried before in vain
+   * @param skipped number of free ways to leave out, which were tried before
    * @return empty if no other is free
    */
   public static Optional<RunIn> to(
