@@ -5,11 +5,13 @@ import org.u2sa.planning.local.ArcChoice;
 import org.u2sa.planning.local.ArcChooser;
 
 /**
- * Backs a stuck vehicle out for some time; then searches for another route from there.
+ * Backs a stuck vehicle out for some time, or drives it ahead; then searches for another route from
+ * there.
  *
  * @param search the state that follows; its time has already begun
+ * @param isAhead drives ahead only
  */
-record BackingOut(long untilMicros, Searching search) implements Behaviour {
+record BackingOut(long untilMicros, Searching search, boolean isAhead) implements Behaviour {
   private static final double WAY_RADII = 1.5; // radii of the vehicle
 
   /** The state at a time [µs]: this one or the search that follows. */
@@ -19,7 +21,8 @@ record BackingOut(long untilMicros, Searching search) implements Behaviour {
 
   @Override
   public ArcChoice choose(ArcChooser arcs, Situation now) {
-    return arcs.backOut(WAY_RADII * now.body().circleM());
+    double wayM = WAY_RADII * now.body().circleM();
+    return isAhead ? arcs.ahead(wayM) : arcs.backOut(wayM);
   }
 
   @Override

@@ -5,7 +5,7 @@ import org.u2sa.planning.local.ArcChoice;
 import org.u2sa.planning.local.ArcChooser;
 
 /** State of a {@link GoalAttempt}: the vehicle's current way of reaching its goal. */
-sealed interface Behaviour permits Following, Searching, GoalAttempt.GoingAhead, BackingOut {
+sealed interface Behaviour permits Following, Searching, BackingOut {
   ArcChoice choose(ArcChooser arcs, Situation now);
 
   /** Excludes time in which traffic blocked the vehicle [µs]. */

@@ -13,7 +13,7 @@ import org.u2sa.planning.local.RouteTrack;
  * <pre>
  * {@link Searching} ── route found ──▶ {@link Following} ── no progress ──▶ {@link BackingOut}
  *        ◀── route blocked, none left ──           │                             │
- *        ◀────────────── {@link GoingAhead} ◀── leads back over unseen ground    │
+ *        ◀──────── {@link BackingOut} ahead ◀── leads back over unseen ground    │
  *        ◀───────────────────────── backed out ─────────────────────────────────┘
  * </pre>
  *
@@ -86,29 +86,25 @@ final class GoalAttempt {
   private ArcChoice ahead(ArcChooser arcs, Situation now) {
     triedAhead = true;
     long until = now.micros() + AHEAD_MICROS;
-    behaviour = new GoingAhead(until, new Searching(routes, now.micros()));
+    behaviour = new BackingOut(until, new Searching(routes, now.micros()), true);
     routes.tryAhead(now, until);
     return behaviour.choose(arcs, now);
   }
 
   private Behaviour at(long micros) {
-    if (behaviour instanceof GoingAhead going) {
-      return going.at(micros);
-    }
     return behaviour instanceof BackingOut backing ? backing.at(micros) : behaviour;
   }
 
   private Behaviour next(Behaviour current, long micros) {
-    if (current instanceof BackingOut) {
+    boolean goesAhead = current instanceof BackingOut out && out.isAhead();
+    if (current instanceof BackingOut && !goesAhead) {
       return current;
     }
     Optional<RouteTrack> track = routes.track();
     if (track.isEmpty()) {
-      return current instanceof Searching || current instanceof GoingAhead
-          ? current
-          : new Searching(routes, micros);
+      return current instanceof Searching || goesAhead ? current : new Searching(routes, micros);
     }
-    triedAhead &= !(current instanceof GoingAhead);
+    triedAhead &= !goesAhead;
     return current instanceof Following following && following.isAlong(track.get())
         ? current
         : new Following(track.get(), watch);
@@ -146,37 +142,7 @@ final class GoalAttempt {
         "stuck: freeing itself, attempt " + recoveries + " of " + now.settings().recoveries(),
         false);
     long until = now.micros() + now.settings().stuckMicros() / BACKING_SHARE;
-    behaviour = new BackingOut(until, new Searching(routes, now.micros()));
+    behaviour = new BackingOut(until, new Searching(routes, now.micros()), false);
     routes.dropUntil(until - now.settings().replanMicros()); // replan then
-  }
-
-  /**
-   * Drives ahead for a few seconds, until a route leads there: scanner errors may close a passage
-   * on the map beside a vehicle that stands in it.
-   *
-   * @param search the state that follows; its time has already begun
-   */
-  record GoingAhead(long untilMicros, Searching search) implements Behaviour {
-    private static final double WAY_RADII = 1.5; // radii of the vehicle
-
-    /** The state at a time [µs]: this one or the search that follows. */
-    Behaviour at(long micros) {
-      return micros < untilMicros ? this : search;
-    }
-
-    @Override
-    public ArcChoice choose(ArcChooser arcs, Situation now) {
-      return arcs.ahead(WAY_RADII * now.body().circleM());
-    }
-
-    @Override
-    public void leaveOut(long micros) {
-      search.leaveOut(micros);
-    }
-
-    @Override
-    public Optional<String> givesUp(Situation now) {
-      return search.givesUp(now);
-    }
   }
 }

@@ -9,7 +9,7 @@ import org.u2sa.planning.local.ArcChoice;
 class BackingOutTest {
   private final AvoidanceBench bench = new AvoidanceBench();
   private final Searching search = new Searching(bench.routes, 0L);
-  private final BackingOut backing = new BackingOut(AvoidanceBench.micros(2.0), search);
+  private final BackingOut backing = new BackingOut(AvoidanceBench.micros(2.0), search, false);
   private final double giveUpS = bench.settings.giveUpAfter();
 
   @Test
@@ -20,6 +20,16 @@ class BackingOutTest {
     assertThat(choice.backwards()).isTrue();
     assertThat(Math.hypot(choice.northM(), choice.eastM()))
         .isBetween(1.4 * now.body().circleM(), 1.5001 * now.body().circleM());
+  }
+
+  @Test
+  void choose_aheadOnly_drivesAhead() {
+    Situation now = bench.at(0.0);
+    ArcChoice choice =
+        new BackingOut(AvoidanceBench.micros(2.0), search, true).choose(bench.arcs(now), now);
+
+    assertThat(choice.backwards()).isFalse();
+    assertThat(Math.hypot(choice.northM(), choice.eastM())).isPositive();
   }
 
   @Test
