@@ -1,6 +1,7 @@
 package org.u2sa.estimation.delay;
 
 import java.util.Arrays;
+import org.u2sa.estimation.rotation.TurnedVectors;
 
 /**
  * Velocity and way that specific forces and gyroscopes alone have given a vehicle during the last
@@ -68,11 +69,7 @@ public final class InertialPath {
 
   /** Corrects the estimate's heading, clockwise [rad]. */
   public static void corrected(double[] x, double byRad) {
-    double cos = StrictMath.cos(byRad);
-    double sin = StrictMath.sin(byRad);
-    double before = x[COS];
-    x[COS] = cos * before - sin * x[SIN];
-    x[SIN] = cos * x[SIN] + sin * before;
+    TurnedVectors.addAngle(x, COS, byRad);
   }
 
   /**

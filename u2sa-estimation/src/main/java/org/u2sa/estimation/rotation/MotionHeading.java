@@ -58,11 +58,7 @@ public final class MotionHeading {
 
   /** Corrects the estimate's heading, clockwise [rad]. */
   public static void corrected(double[] x, double byRad) {
-    double cos = StrictMath.cos(byRad);
-    double sin = StrictMath.sin(byRad);
-    double before = x[COS];
-    x[COS] = cos * before - sin * x[SIN];
-    x[SIN] = cos * x[SIN] + sin * before;
+    TurnedVectors.addAngle(x, COS, byRad);
   }
 
   /**

@@ -113,4 +113,13 @@ public final class TurnedVectors {
   public static double variance(double[] x, int at) {
     return x[at + HH];
   }
+
+  /** Adds to an angle whose cosine is at an index, and whose sine is behind it [rad]. */
+  public static void addAngle(double[] x, int at, double byRad) {
+    double cos = StrictMath.cos(byRad);
+    double sin = StrictMath.sin(byRad);
+    double before = x[at];
+    x[at] = cos * before - sin * x[at + 1];
+    x[at + 1] = cos * x[at + 1] + sin * before;
+  }
 }
