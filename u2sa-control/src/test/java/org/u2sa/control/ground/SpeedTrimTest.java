@@ -53,6 +53,25 @@ class SpeedTrimTest {
         .isCloseTo(-MAX_MPS - 1.0, within(1.0e-9));
   }
 
+  @ParameterizedTest
+  @ValueSource(doubles = {1.0, -1.0})
+  void step_toSlowDownALoadedVehicle_drivesOnInProportionOnly(double direction) {
+    double before = after(5.0, new Drive(direction, 0.0), OptionalDouble.of(0.5 * direction));
+
+    double after = after(0.1, new Drive(0.25 * direction, 0.0), OptionalDouble.of(0.0));
+
+    assertThat(before * direction).isGreaterThan(0.4);
+    assertThat(after).isCloseTo(0.25 * before, within(1.0e-9));
+  }
+
+  @Test
+  void step_toSlowDownDownhill_holdsBackAsBefore() {
+    double before = after(5.0, DRIVES, OptionalDouble.of(-0.5));
+
+    assertThat(before).isLessThan(-0.4);
+    assertThat(after(0.1, new Drive(0.25, 0.0), OptionalDouble.of(0.0))).isEqualTo(before);
+  }
+
   @Test
   void step_speedUnknown_staysAsItIs() {
     double before = after(1.0, DRIVES, OptionalDouble.of(0.2));
