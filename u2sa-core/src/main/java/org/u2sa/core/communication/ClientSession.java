@@ -22,6 +22,7 @@ import org.u2sa.core.communication.access.LoginApplication;
 import org.u2sa.core.communication.access.Refusals;
 import org.u2sa.core.communication.access.SourceNames;
 import org.u2sa.core.communication.access.Users;
+import org.u2sa.core.communication.limit.Allowance;
 import org.u2sa.core.communication.limit.BrokerLimits;
 import org.u2sa.core.communication.routing.Publication;
 import org.u2sa.core.security.AccessRole;
@@ -43,6 +44,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
   private final BrokerState broker;
   private final Outflow outflow;
   private final String connection;
+  private final Allowance pings;
   private Inflow inflow;
   private Stage stage = Stage.STRANGER;
   private PacketFilter packets; // set on admission, like the rules
@@ -64,6 +66,9 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
     this.broker = broker;
     this.outflow = outflow;
     connection = broker.clients.newConnection();
+    pings =
+        new Allowance(
+            BrokerLimits.PINGS_PER_SECOND, BrokerLimits.PINGS_PER_SECOND, broker.nowMicros());
   }
 
   void inflow(Inflow before) {
@@ -87,9 +92,21 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
 
   @Override
   public boolean isInTurn(Object packet) {
-    return subscriptions == null
-        || !(packet instanceof MqttMessage message)
-        || subscriptions.isInTurn(message);
+    if (subscriptions == null || !(packet instanceof MqttMessage message)) {
+      return true;
+    }
+    boolean isPing =
+        message.fixedHeader() != null
+            && message.fixedHeader().messageType() == MqttMessageType.PINGREQ;
+    return isPing ? mayPing() : subscriptions.isInTurn(message);
+  }
+
+  private boolean mayPing() {
+    boolean may = pings.isOpen(broker.nowMicros());
+    if (may) {
+      pings.take(1.0);
+    }
+    return may;
   }
 
   @Override

@@ -40,7 +40,8 @@ record PacketFilter(
       }
       case PUBACK ->
           session.acknowledged(((MqttPubAckMessage) packet).variableHeader().messageId());
-      case PINGREQ, DISCONNECT -> {
+      case PINGREQ -> session.answer(MqttMessage.PINGRESP);
+      case DISCONNECT -> {
         ctx.fireChannelRead(packet);
         return true;
       }

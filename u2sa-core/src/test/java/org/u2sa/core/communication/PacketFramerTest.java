@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.ByteArrayOutputStream;
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -14,6 +13,7 @@ import org.u2sa.core.communication.limit.BrokerLimits;
 
 /** How often bytes are decoded, and which packets never are. */
 class PacketFramerTest {
+  private static final String PINGRESP = "d0";
   private static final int MEGABYTE = 1 << 20;
   private static final String MALFORMED = "malformed packet";
 
@@ -41,7 +41,7 @@ class PacketFramerTest {
       pipeline.decoded.clear();
       pipeline.pass(1_000);
     }
-    assertThat(pipeline.taken()).containsExactly("PINGREQ");
+    assertThat(pipeline.sent()).filteredOn(PINGRESP::equals).hasSize(1);
   }
 
   @Test
@@ -57,7 +57,7 @@ class PacketFramerTest {
     for (int cut = 0; cut <= bytes.length; cut++) {
       pipeline.send(Arrays.copyOf(bytes, cut));
       pipeline.send(Arrays.copyOfRange(bytes, cut, bytes.length));
-      assertThat(pipeline.taken()).isEqualTo(Collections.nCopies(3, "PINGREQ"));
+      assertThat(pipeline.sent()).filteredOn(PINGRESP::equals).hasSize(3);
       assertThat(pipeline.decoded.stream().mapToInt(length -> length).sum())
           .isEqualTo(bytes.length);
       pipeline.decoded.clear();
@@ -141,7 +141,7 @@ class PacketFramerTest {
     both.writeBytes(MqttPacketBytes.packet(0x82, new byte[MEGABYTE]));
     pipeline.send(both.toByteArray());
 
-    assertThat(pipeline.taken()).containsExactly("PINGREQ");
+    assertThat(pipeline.decoded).containsExactly(MqttPacketBytes.PINGREQ.length);
     assertPutOut();
   }
 

@@ -102,6 +102,12 @@ public record BrokerLimits(
   /** Backlog of one client beyond which its publishers are read more slowly [bytes]. */
   public static final long BEHIND_BYTES = UNREAD_BYTES / 4;
 
+  /**
+   * PINGREQs read from one client per second; more must wait. Each has 2 bytes and demands an
+   * answer; the shortest keep-alive takes one per second (MQTT 3.1.1, section 3.1.2.10).
+   */
+  public static final double PINGS_PER_SECOND = 10.0;
+
   /** Bytes read from one client per turn. */
   public static final int READ_AT_ONCE = 16 * 1_024;
 
