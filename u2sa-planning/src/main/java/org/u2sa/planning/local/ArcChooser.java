@@ -86,7 +86,8 @@ public final class ArcChooser {
                 new SteeredChoice(
                     new SteeredForecast(costs, body, traffic, limits, pose, speedMps, drift),
                     limits,
-                    pose));
+                    pose,
+                    before));
   }
 
   /** Vertical way in place, down [m]: the wanted one, or one that keeps away from traffic. */

@@ -61,7 +61,8 @@ final class MotionForecast {
 
   /** Current distance to traffic [m]; negative inside the clearance to be kept. */
   double gapNowM() {
-    return traffic.gapM(start, room == null ? 0.0 : room.downM(), 0.0);
+    traffic.place(start);
+    return traffic.gapM(room == null ? 0.0 : room.downM(), 0, 0.0);
   }
 
   /** Down coordinate of the vehicle on its way to an altitude, or to that of the goal [m]. */
@@ -293,7 +294,7 @@ final class MotionForecast {
     private double gapM = NEVER;
     private double nearestS;
     private double roomM;
-    private int looks;
+    private int looks; // one for each step
     private double lacked; // squared shortfall integrated along the path [m³]
     private double way;
 
@@ -303,16 +304,17 @@ final class MotionForecast {
     }
 
     void look(Pose at, double downM, double seconds) {
-      double gap = traffic.gapM(at, downM, seconds);
+      traffic.place(at);
+      double gap = traffic.gapM(downM, looks, seconds);
       if (gap < gapM) {
         gapM = gap;
         nearestS = seconds;
       }
       roomM += Math.min(TrafficForecast.ROOMY_M, gap);
-      looks++;
-      if (meetsS == NEVER && traffic.meets(at, downM, seconds)) {
+      if (meetsS == NEVER && traffic.meets(downM, looks, seconds)) {
         meetsS = seconds;
       }
+      looks++;
     }
 
     Outcome outcome(double freeM) {

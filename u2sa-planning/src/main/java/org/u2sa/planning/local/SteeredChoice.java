@@ -1,5 +1,6 @@
 package org.u2sa.planning.local;
 
+import java.util.Optional;
 import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.local.SteeredForecast.Outcome;
 
@@ -11,16 +12,40 @@ import org.u2sa.planning.local.SteeredForecast.Outcome;
 final class SteeredChoice {
   private static final int DIRECTIONS = 24;
   private static final double ASTERN = 0.5; // cost, in reaches
-  private static final double SAME_M = 0.05; // fraction of clearance
+  private static final double SAME_M = 0.05; // smaller differences of distances are ignored
+  private static final double KEEPS = 0.3; // advantage of the direction before, in reaches
+  private static final double KEEPS_S = 0.5; // likewise, of the time until a collision
+  private static final double KEEPS_M = 0.3; // likewise, of the distance
 
   private final SteeredForecast forecast;
   private final MotionLimits limits;
   private final Pose pose;
+  private final Optional<ArcChoice> before;
 
-  SteeredChoice(SteeredForecast forecast, MotionLimits limits, Pose pose) {
+  /**
+   * @param before choice at the previous state: an evasion goes on in its direction unless another
+   *     one is clearly better, because turning round takes seconds
+   */
+  SteeredChoice(
+      SteeredForecast forecast, MotionLimits limits, Pose pose, Optional<ArcChoice> before) {
     this.forecast = forecast;
     this.limits = limits;
     this.pose = pose;
+    this.before =
+        before.filter(
+            choice ->
+                choice.speedMps() > 0.0
+                    && (choice.kind() == ArcChoice.Kind.EVADE
+                        || choice.kind() == ArcChoice.Kind.BRAKE));
+  }
+
+  private boolean goesOn(double course, boolean backwards) {
+    if (before.isEmpty() || before.get().backwards() != backwards) {
+      return false;
+    }
+    double last =
+        Math.atan2(before.get().eastM() - pose.eastM(), before.get().northM() - pose.northM());
+    return Math.abs(Pose.wrapped(course - last)) <= Math.PI / DIRECTIONS;
   }
 
   ArcChoice along(RouteTrack track) {
@@ -42,14 +67,17 @@ final class SteeredChoice {
   }
 
   /**
-   * The free direction that leads closest to a point; otherwise the one that stays free longest.
+   * The free direction that leads closest to a point; otherwise the direction, or drifting, after
+   * which it collides last or, without a collision, stays farthest away.
    */
   ArcChoice evade(double northM, double eastM) {
     ArcChoice best = null;
-    ArcChoice longest = null;
+    Pose ahead = pose.along(limits.lookAheadM(), 0.0);
+    Outcome drifts = forecast.to(ahead.northM(), ahead.eastM(), 0.0, false);
+    ArcChoice last = new ArcChoice(ahead.northM(), ahead.eastM(), 0.0, false, ArcChoice.Kind.BRAKE);
     double leastCost = Double.POSITIVE_INFINITY;
-    double hitsS = 0.0;
-    double widestM = 0.0;
+    double touchesS = drifts.touchesS();
+    double widestM = drifts.leastM();
     for (int k = 0; k < 2 * DIRECTIONS; k++) {
       boolean backwards = k >= DIRECTIONS;
       double course = 2.0 * Math.PI * k / DIRECTIONS;
@@ -58,19 +86,23 @@ final class SteeredChoice {
       double mps = limits.mps(backwards);
       Outcome outcome = forecast.to(north, east, mps, backwards);
       ArcChoice choice = new ArcChoice(north, east, mps, backwards, ArcChoice.Kind.EVADE);
+      boolean goesOn = goesOn(course, backwards);
       double cost =
-          outcome.end().distanceM(northM, eastM) + (backwards ? ASTERN * limits.lookAheadM() : 0.0);
+          outcome.end().distanceM(northM, eastM)
+              + (backwards ? ASTERN * limits.lookAheadM() : 0.0)
+              - (goesOn ? KEEPS * limits.lookAheadM() : 0.0);
       if (outcome.isFree() && cost < leastCost) {
         leastCost = cost;
         best = choice;
       }
-      boolean isWider = outcome.hitsS() == hitsS && outcome.leastM() > widestM + SAME_M;
-      if (outcome.hitsS() > hitsS || isWider) {
-        hitsS = outcome.hitsS();
-        widestM = outcome.leastM();
-        longest = choice.as(ArcChoice.Kind.BRAKE);
+      double lastsS = outcome.touchesS() + (goesOn ? KEEPS_S : 0.0);
+      double leastM = outcome.leastM() + (goesOn ? KEEPS_M : 0.0);
+      if (lastsS > touchesS || lastsS == touchesS && leastM > widestM + SAME_M) {
+        touchesS = lastsS;
+        widestM = leastM;
+        last = choice.as(ArcChoice.Kind.BRAKE);
       }
     }
-    return best == null ? longest : best;
+    return best == null ? last : best;
   }
 }

@@ -30,15 +30,12 @@ final class SteeredForecast {
   /**
    * Predicted outcome.
    *
-   * @param hitsS time of the first collision [s]; infinite if none
-   * @param leastM minimum clearance until then [m]
+   * @param isFree whether it keeps its distance from obstacles and traffic
+   * @param touchesS time of the first collision [s]; infinite if none
+   * @param leastM minimum distance to obstacles and traffic until then [m]
    * @param end pose at the end or on arrival
    */
-  record Outcome(double hitsS, double leastM, Pose end) {
-    boolean isFree() {
-      return hitsS == NEVER;
-    }
-  }
+  record Outcome(boolean isFree, double touchesS, double leastM, Pose end) {}
 
   /**
    * @param aheadMps velocity over ground along the bow [m/s]
@@ -62,7 +59,7 @@ final class SteeredForecast {
   }
 
   /**
-   * Simulates a choice.
+   * Simulates a choice. At its end the boat brakes, among traffic: it may have to stop there.
    *
    * @param speedMps speed over ground; 0: stops and drifts
    */
@@ -71,16 +68,23 @@ final class SteeredForecast {
     double through = startMps;
     double rate = 0.0;
     double least = NEVER;
+    boolean isFree = true;
+    Pose end = null; // where it arrives
+    int step = 0;
     for (double t = STEP_S; t <= LASTS_S; t += STEP_S) {
+      step++;
       double bearing = Math.atan2(eastM - at.eastM(), northM - at.northM());
       double along = drift.towardsMps(at.headingRad());
-      double turn = Pose.wrapped(bearing - at.headingRad());
+      double turn = end == null ? Pose.wrapped(bearing - at.headingRad()) : 0.0;
       double ahead = (backwards ? -1.0 : 1.0) * Math.cos(turn);
-      turn += backwards ? Math.PI : drift.crabRad(bearing, Math.max(0.0, through + along));
+      if (end == null) {
+        turn += backwards ? Math.PI : drift.crabRad(bearing, Math.max(0.0, through + along));
+      }
       double most = limits.turnRateRadPerS();
       double wanted = Math.max(-most, Math.min(most, Pose.wrapped(turn) / TURNS_S));
       rate += Math.min(1.0, STEP_S / LAG_S) * (wanted - rate);
-      double speed = (backwards ? -speedMps : speedMps) * Math.max(0.0, ahead);
+      double mps = end == null ? speedMps : 0.0;
+      double speed = (backwards ? -mps : mps) * Math.max(0.0, ahead);
       through += change(speed - along - through, through);
       double heading = at.headingRad() + rate * STEP_S;
       at =
@@ -88,16 +92,22 @@ final class SteeredForecast {
               at.northM() + STEP_S * (through * Math.cos(heading) + drift.northMps()),
               at.eastM() + STEP_S * (through * Math.sin(heading) + drift.eastMps()),
               heading);
-      double clearance = clearanceM(at);
-      least = Math.min(least, clearance);
-      if (clearance < requiredM || traffic.meets(at, 0.0, t)) {
-        return new Outcome(t, least, at);
+      double clearance = end == null ? clearanceM(at) : NEVER;
+      traffic.place(at);
+      double gap = traffic.gapM(0.0, step, t);
+      least = Math.min(least, Math.min(clearance, gap));
+      if (clearance < requiredM || gap < 0.0) {
+        return new Outcome(false, t, least, end == null ? at : end);
       }
-      if (speedMps > 0.0 && at.distanceM(northM, eastM) < ARRIVED_M) {
+      isFree = isFree && !traffic.meets(0.0, step, t);
+      if (end == null && speedMps > 0.0 && at.distanceM(northM, eastM) < ARRIVED_M) {
+        end = at;
+      }
+      if (end != null && traffic.isEmpty()) {
         break;
       }
     }
-    return new Outcome(NEVER, least, at);
+    return new Outcome(isFree, NEVER, least, end == null ? at : end);
   }
 
   private double change(double wantedMps, double throughMps) {

@@ -22,6 +22,11 @@ final class TrafficForecast {
   private final Pose now;
   private final VerticalRoom room; // null: heights do not matter
   private final long nowMicros;
+  private final List<Moment> moments = new ArrayList<>(); // at the times of earlier calls
+  private final double[] northM; // of the discs of the vehicle at the last pose
+  private final double[] eastM;
+  private final double[] northNowM; // likewise at its current pose
+  private final double[] eastNowM;
 
   TrafficForecast(
       List<Mover> movers,
@@ -42,6 +47,68 @@ final class TrafficForecast {
       }
     }
     this.movers = near;
+    northM = new double[body.count()];
+    eastM = new double[body.count()];
+    northNowM = new double[body.count()];
+    eastNowM = new double[body.count()];
+    place(now, northNowM, eastNowM);
+  }
+
+  /** Traffic at a time: many motions are compared with it. */
+  private final class Moment {
+    private final double seconds;
+    private final double[] north = new double[movers.size()];
+    private final double[] east = new double[movers.size()];
+    private final double[] down = new double[movers.size()];
+    private final double[] kept = new double[movers.size()]; // distance beside them
+    private final double[] flat = new double[movers.size()]; // its ratio to that above
+
+    Moment(double seconds) {
+      this.seconds = seconds;
+      for (int i = 0; i < movers.size(); i++) {
+        Mover mover = movers.get(i);
+        double age = mover.ageS(nowMicros) + seconds;
+        north[i] = mover.northAfterM(age);
+        east[i] = mover.eastAfterM(age);
+        down[i] = mover.downAfterM(age);
+        double grown = GROWTH * Math.hypot(mover.northMps(), mover.eastMps()) * seconds;
+        kept[i] = mover.radiusM() + body.radiusM() + keptM + grown;
+        flat[i] = flatness(mover, kept[i], seconds);
+      }
+    }
+
+    /** Vertical distance, stretched by a ratio, which makes the spheroid a sphere [m]. */
+    private double upM(int mover, double downM, double ratio) {
+      return room == null || ratio == 0.0 ? 0.0 : ratio * (down[mover] - downM);
+    }
+
+    private double awayM(int mover, double discNorthM, double discEastM, double up) {
+      double dn = discNorthM - north[mover];
+      double de = discEastM - east[mover];
+      return Math.sqrt(dn * dn + de * de + up * up);
+    }
+  }
+
+  private Moment moment(int tick, double seconds) {
+    while (moments.size() <= tick) {
+      moments.add(null);
+    }
+    Moment known = moments.get(tick);
+    if (known == null || known.seconds != seconds) {
+      known = new Moment(seconds);
+      moments.set(tick, known);
+    }
+    return known;
+  }
+
+  private void place(Pose at, double[] norths, double[] easts) {
+    double cos = Math.cos(at.headingRad());
+    double sin = Math.sin(at.headingRad());
+    for (int disc = 0; disc < norths.length; disc++) {
+      double along = body.aheadM(disc);
+      norths[disc] = at.northM() + along * cos;
+      easts[disc] = at.eastM() + along * sin;
+    }
   }
 
   /** Whether traffic moving straight on can meet the vehicle within the horizon. */
@@ -57,22 +124,27 @@ final class TrafficForecast {
     return movers.isEmpty();
   }
 
+  /** Places the vehicle for the following calls. */
+  void place(Pose at) {
+    place(at, northM, eastM);
+  }
+
   /**
-   * Gap between the vehicle at a pose and traffic at a time [m]; negative if they overlap.
+   * Gap between the vehicle and traffic at a time [m]; negative if they overlap.
    *
    * @param downM down coordinate of the vehicle then [m]
+   * @param tick number of the time, among those of the compared motions
    */
-  double gapM(Pose at, double downM, double seconds) {
+  double gapM(double downM, int tick, double seconds) {
+    Moment then = moment(tick, seconds);
     double gap = Double.POSITIVE_INFINITY;
-    for (Mover mover : movers) {
-      double age = mover.ageS(nowMicros);
-      double north = mover.northAfterM(age + seconds);
-      double east = mover.eastAfterM(age + seconds);
+    for (int i = 0; i < movers.size(); i++) {
+      Mover mover = movers.get(i);
       double radius = mover.radiusM() + body.radiusM();
       double half = mover.heights().halfM() + body.radiusM();
-      double up = upM(mover, downM, age + seconds, radius / half);
-      for (int disc = 0; disc < body.count(); disc++) {
-        double away = awayM(at, disc, north, east, up);
+      double up = then.upM(i, downM, radius / half);
+      for (int disc = 0; disc < northM.length; disc++) {
+        double away = then.awayM(i, northM[disc], eastM[disc], up);
         gap = Math.min(gap, away - mover.radiusM() - body.radiusM());
       }
     }
@@ -84,28 +156,28 @@ final class TrafficForecast {
    * or, if heights matter, a spheroid.
    *
    * @param downM down coordinate of the vehicle then [m]
+   * @param tick number of the time, among those of the compared motions
    */
-  boolean meets(Pose at, double downM, double seconds) {
-    for (Mover mover : movers) {
-      double age = mover.ageS(nowMicros);
-      double north = mover.northAfterM(age + seconds);
-      double east = mover.eastAfterM(age + seconds);
-      double grown = GROWTH * Math.hypot(mover.northMps(), mover.eastMps()) * seconds;
-      double kept = mover.radiusM() + body.radiusM() + keptM + grown;
-      double flat = flatness(mover, kept, seconds);
-      double up = upM(mover, downM, age + seconds, flat);
-      for (int disc = 0; disc < body.count(); disc++) {
-        double away = awayM(at, disc, north, east, up);
-        if (away < kept) {
-          double upNow = room == null ? 0.0 : upM(mover, room.downM(), age, flat);
-          double before = awayM(now, disc, mover.northAfterM(age), mover.eastAfterM(age), upNow);
-          if (away < before - 0.02 * mover.radiusM()) {
-            return true;
-          }
+  boolean meets(double downM, int tick, double seconds) {
+    Moment then = moment(tick, seconds);
+    for (int i = 0; i < movers.size(); i++) {
+      double up = then.upM(i, downM, then.flat[i]);
+      for (int disc = 0; disc < northM.length; disc++) {
+        double away = then.awayM(i, northM[disc], eastM[disc], up);
+        if (away < then.kept[i] && away < beforeM(i, disc, then.flat[i])) {
+          return true;
         }
       }
     }
     return false;
+  }
+
+  /** Current distance, less a little, of a disc of the vehicle to traffic [m]. */
+  private double beforeM(int mover, int disc, double flat) {
+    Moment start = moment(0, 0.0);
+    double up = room == null ? 0.0 : start.upM(mover, room.downM(), flat);
+    double away = start.awayM(mover, northNowM[disc], eastNowM[disc], up);
+    return away - 0.02 * movers.get(mover).radiusM();
   }
 
   /** Ratio of the distances kept beside and above. */
@@ -115,17 +187,5 @@ final class TrafficForecast {
     }
     double grown = GROWTH * Math.abs(mover.heights().downMps()) * seconds;
     return keptBesideM / (mover.heights().halfM() + room.clearanceM() + grown);
-  }
-
-  /** Vertical distance, stretched by a ratio, which makes the spheroid a sphere [m]. */
-  private double upM(Mover mover, double downM, double ageS, double ratio) {
-    return room == null || ratio == 0.0 ? 0.0 : ratio * (mover.downAfterM(ageS) - downM);
-  }
-
-  private double awayM(Pose at, int disc, double north, double east, double up) {
-    double along = body.aheadM(disc);
-    double dn = at.northM() + along * Math.cos(at.headingRad()) - north;
-    double de = at.eastM() + along * Math.sin(at.headingRad()) - east;
-    return Math.sqrt(dn * dn + de * de + up * up);
   }
 }
