@@ -14,6 +14,7 @@ import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.ObjectGoal;
 import org.u2sa.planning.avoidance.Avoidance;
 import org.u2sa.planning.avoidance.AvoidanceVariables;
+import org.u2sa.planning.goals.PursuitTime;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.seen.PlanningPlane;
@@ -26,11 +27,16 @@ import org.u2sa.planning.seen.SeenTarget;
 final class ObjectGoalState implements PlannerState {
   private final Avoidance avoidance;
   private final Supplier<AvoidanceVariables> settings;
+  private final PursuitTime time;
   private long unseenSinceMicros = Long.MIN_VALUE;
 
-  ObjectGoalState(Avoidance avoidance, Supplier<AvoidanceVariables> settings) {
+  /**
+   * @param time time against which patience with an unseen object is measured
+   */
+  ObjectGoalState(Avoidance avoidance, Supplier<AvoidanceVariables> settings, PursuitTime time) {
     this.avoidance = avoidance;
     this.settings = settings;
+    this.time = time;
   }
 
   @Override
@@ -65,7 +71,7 @@ final class ObjectGoalState implements PlannerState {
     Vehicle vehicle = Vehicle.of(state).orElseThrow();
     Optional<SeenTarget> seen = find(goal, state);
     if (seen.isEmpty()) {
-      return unseen(goal, vehicle);
+      return unseen(goal);
     }
     unseenSinceMicros = Long.MIN_VALUE;
     SeenTarget target = seen.get();
@@ -102,11 +108,11 @@ final class ObjectGoalState implements PlannerState {
   }
 
   /** Stops and waits until the object is in sight. */
-  private Plan unseen(ObjectGoal goal, Vehicle vehicle) {
+  private Plan unseen(ObjectGoal goal) {
     if (unseenSinceMicros == Long.MIN_VALUE) {
-      unseenSinceMicros = vehicle.timestampMicros();
+      unseenSinceMicros = time.micros();
     }
-    long waited = vehicle.timestampMicros() - unseenSinceMicros;
+    long waited = time.micros() - unseenSinceMicros;
     if (waited < settings.get().giveUpMicros()) {
       return Plan.underWay(List.of());
     }

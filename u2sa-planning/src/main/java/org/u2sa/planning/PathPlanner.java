@@ -27,6 +27,7 @@ import org.u2sa.planning.flight.FlightChecks;
 import org.u2sa.planning.flight.FlightVariables;
 import org.u2sa.planning.flight.TakeOffWatch;
 import org.u2sa.planning.goals.GoalChoice;
+import org.u2sa.planning.goals.PursuitTime;
 import org.u2sa.planning.guidance.ChosenGuidance;
 import org.u2sa.planning.guidance.HeadwayWatch;
 import org.u2sa.planning.guidance.LineSettings;
@@ -70,6 +71,7 @@ public class PathPlanner extends EventDrivenService {
   private final TakeOffWatch takeOff = new TakeOffWatch();
   private final GoalReports reports;
   private final PlannerOrders orders = new PlannerOrders();
+  private final PursuitTime time = new PursuitTime();
   private final PlannerRemarks remarks = new PlannerRemarks(this, () -> this.goal);
   private final ViewPoints view = new ViewPoints(settings(ViewPoints.Variables.class));
   private Optional<GoalInformation> goal = Optional.empty(); // goal being pursued
@@ -93,7 +95,13 @@ public class PathPlanner extends EventDrivenService {
         HeightGrid.named(survey.get().terrain(), context.configuration()::resolve);
     avoidance =
         new Avoidance(
-            this, seeing, this::lines, remarks::say, terrain, () -> survey.get().surveyClimb());
+            this,
+            seeing,
+            this::lines,
+            time,
+            remarks::say,
+            terrain,
+            () -> survey.get().surveyClimb());
     rightOfWay =
         new RightOfWayWatch(
             settings(RightOfWayVariables.class),
@@ -122,12 +130,18 @@ public class PathPlanner extends EventDrivenService {
     states =
         new PlannerStates(
             List.of(
-                new WaypointState(
-                    guidance, settings, avoidance, rightOfWay, seeing, detour, ground::isArmed),
-                new ObjectGoalState(avoidance, seeing),
-                new StationState(guidance, stations, circle, detour, () -> seeing.get().drifts()),
+                new WaypointState(guidance, settings, avoidance, rightOfWay, seeing, detour, time),
+                new ObjectGoalState(avoidance, seeing, time),
+                new StationState(
+                    guidance, stations, circle, detour, () -> seeing.get().drifts(), time),
                 new SearchAreaState(
-                    avoidance, guidance, survey, seeing, this::lines, new SurveyHeights(terrain)),
+                    avoidance,
+                    guidance,
+                    survey,
+                    seeing,
+                    this::lines,
+                    new SurveyHeights(terrain),
+                    time),
                 new TakeOffState(this::lines, flight, this::isAeroplane),
                 new LandingState(detour, this::lines, circle, flight),
                 new PayloadDropState(detour, this::lines, flight, releases)));
@@ -423,6 +437,7 @@ public class PathPlanner extends EventDrivenService {
     end.leave();
     checks.leavePlace();
     holdAt = Optional.empty();
+    time.see(state.timestamp().orElseThrow(), ground.isArmed());
     Optional<GoalInformation> after =
         new GoalChoice(orders.goals().get())
             .after(choice, foreseen, option -> distanceM(option, state, stateless))

@@ -17,6 +17,7 @@ import org.u2sa.messages.shape.CoverageLedger;
 import org.u2sa.planning.avoidance.Avoidance;
 import org.u2sa.planning.avoidance.AvoidanceVariables;
 import org.u2sa.planning.curve.Pose;
+import org.u2sa.planning.goals.PursuitTime;
 import org.u2sa.planning.guidance.LineSettings;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
@@ -43,12 +44,13 @@ final class SearchAreaState implements PlannerState {
   private final Supplier<AvoidanceVariables> seeing;
   private final Supplier<LineSettings> lines;
   private final SurveyHeights heights;
+  private final PursuitTime time;
   private final Deque<LaneLegs.Leg> legs = new ArrayDeque<>();
   private PlanningPlane plane; // plane of the legs
   private boolean isAlong; // on its lane, after the transit to it
   private boolean evades;
   private boolean isReversed; // reversed, because it cannot be entered from its other end
-  private long lostSince; // since when there is no route; MAX_VALUE with one
+  private long lostSince; // pursuit time since when there is no route; MAX_VALUE with one
   private int passes;
   private long waitsSince; // since when it waits for the record
   private long looksAfter;
@@ -59,13 +61,15 @@ final class SearchAreaState implements PlannerState {
       Supplier<SurveyVariables> survey,
       Supplier<AvoidanceVariables> seeing,
       Supplier<LineSettings> lines,
-      SurveyHeights heights) {
+      SurveyHeights heights,
+      PursuitTime time) {
     this.avoidance = avoidance;
     this.guidance = guidance;
     this.survey = survey;
     this.seeing = seeing;
     this.lines = lines;
     this.heights = heights;
+    this.time = time;
   }
 
   @Override
@@ -258,7 +262,7 @@ final class SearchAreaState implements PlannerState {
             state,
             new Avoidance.Wanted(
                 area.uid(), place, near, OptionalDouble.of(to.headingRad()), area.speed()));
-    long micros = vehicle.timestampMicros();
+    long micros = time.micros();
     lostSince = avoidance.remainingM().isPresent() ? Long.MAX_VALUE : Math.min(lostSince, micros);
     if (step.givenUp().isPresent() || micros - lostSince > Clock.micros(UNREACHABLE_S)) {
       leave(vehicle);

@@ -13,6 +13,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.Station;
 import org.u2sa.planning.avoidance.Avoidance;
+import org.u2sa.planning.goals.PursuitTime;
 import org.u2sa.planning.guidance.Leg;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
@@ -53,6 +54,7 @@ final class StationState implements PlannerState {
   private final StationHeading heading = new StationHeading();
   private final BerthWay way = new BerthWay(heading);
   private final BooleanSupplier lacksSway;
+  private final PursuitTime time;
   private final StationPatience patience = new StationPatience();
   private final Detour detour;
   private boolean isRouted; // follows the route planner
@@ -63,18 +65,21 @@ final class StationState implements PlannerState {
    *
    * @param detour way around obstacles
    * @param lacksSway whether the vehicle is known to have no sideways thrust
+   * @param time time against which patience with a station is measured
    */
   StationState(
       WaypointGuidance guidance,
       Supplier<StationVariables> settings,
       StationCircle circle,
       Detour detour,
-      BooleanSupplier lacksSway) {
+      BooleanSupplier lacksSway,
+      PursuitTime time) {
     this.guidance = guidance;
     this.settings = settings;
     this.circle = circle;
     this.detour = detour;
     this.lacksSway = lacksSway;
+    this.time = time;
   }
 
   @Override
@@ -172,7 +177,7 @@ final class StationState implements PlannerState {
       phase = Phase.TRANSIT;
     }
     boolean isNear = phase != Phase.TRANSIT || length(start) <= settings.get().stationTurnWithin();
-    patience.count(isNear, vehicle.timestampMicros());
+    patience.count(isNear, time.micros());
     Avoidance.Wanted wanted = wanted(station, place, isBerth && phase == Phase.TRANSIT);
     boolean isOnStraightWay = isBerth && phase != Phase.TRANSIT;
     if (!isOnStraightWay && goesAround(vehicle, pursuit.state(), wanted)) {

@@ -5,7 +5,6 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
-import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
@@ -18,6 +17,7 @@ import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.planning.avoidance.Avoidance;
 import org.u2sa.planning.avoidance.AvoidanceVariables;
+import org.u2sa.planning.goals.PursuitTime;
 import org.u2sa.planning.guidance.AltitudeProgress;
 import org.u2sa.planning.guidance.ApproachWatch;
 import org.u2sa.planning.guidance.Leg;
@@ -58,7 +58,7 @@ final class WaypointState implements PlannerState {
   private final RightOfWayWatch rightOfWay;
   private final Supplier<AvoidanceVariables> seeing;
   private final Detour detour;
-  private final BooleanSupplier mayMove;
+  private final PursuitTime time;
   private final AltitudeProgress altitude = new AltitudeProgress();
   private final ApproachWatch beside = new ApproachWatch();
   private int attempts;
@@ -72,7 +72,7 @@ final class WaypointState implements PlannerState {
   private Optional<Place> aimedAt = Optional.empty(); // position of the waypoint at the last state
 
   /**
-   * @param mayMove whether the vehicle is armed
+   * @param time time against which patience with a waypoint is measured
    */
   WaypointState(
       WaypointGuidance guidance,
@@ -81,9 +81,9 @@ final class WaypointState implements PlannerState {
       RightOfWayWatch rightOfWay,
       Supplier<AvoidanceVariables> seeing,
       Detour detour,
-      BooleanSupplier mayMove) {
+      PursuitTime time) {
     this.detour = detour;
-    this.mayMove = mayMove;
+    this.time = time;
     this.guidance = guidance;
     this.settings = settings;
     this.avoidance = avoidance;
@@ -225,19 +225,19 @@ final class WaypointState implements PlannerState {
       return new Plan(points, Plan.Progress.COMPLETED, "reached, " + passing(waypoint, downM));
     }
     if (!guidance.hasPassed() || climbs) {
-      return Plan.unless(standsBeside(waypoint, downM, vehicle), points);
+      return Plan.unless(standsBeside(waypoint, downM), points);
     }
     return missed(points, passing(waypoint, downM));
   }
 
   /** Why a vehicle that can stop gives up a waypoint beside which it stands. */
-  private Optional<String> standsBeside(Waypoint waypoint, double downM, Vehicle vehicle) {
-    if (!mayMove.getAsBoolean() || settings.get().turnAcceleration() > 0.0) {
+  private Optional<String> standsBeside(Waypoint waypoint, double downM) {
+    if (settings.get().turnAcceleration() > 0.0) {
       beside.begin();
       return Optional.empty();
     }
     double offM = waypoint.verticalThreshold().isPresent() ? Math.abs(downM) : 0.0;
-    return beside.step(nowM, offM, waypoint.horizontalThreshold(), vehicle.timestampMicros());
+    return beside.step(nowM, offM, waypoint.horizontalThreshold(), time.micros());
   }
 
   /**

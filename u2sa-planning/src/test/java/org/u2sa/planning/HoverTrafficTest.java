@@ -295,6 +295,81 @@ class HoverTrafficTest extends PlannedVehicle {
     assertThat(mostEastM).isLessThan(6.0);
   }
 
+  /** At its goal it would be in the way of the traffic, and beyond it even more. */
+  @ParameterizedTest
+  @CsvSource({"-6, 10", "-6, 12", "-6, 14", "-5, 8", "-8, 16", "6, 12"})
+  void waypoint_nearAndTrafficComes_staysAwayAndIsReachedAfterwards(double eastMps, double fromS) {
+    kit.with("AT END", "HOLD");
+    start(5.0, 0.0);
+    at = Point.of(-12.0, Math.copySign(9.0, eastMps), -UP_M);
+    Point mps = Point.of(0.0, eastMps, 0.0);
+    while (kit.nowS() < fromS) {
+      step(mps);
+    }
+    velocity = Point.of(5.0, -Math.copySign(4.0, eastMps), 0.0);
+    goals(waypoint("home", 0.0, 0.0).z(-UP_M).horizontalThreshold(1.0));
+    hover(mps);
+
+    assertThat(nearestM).isGreaterThan(SEPARATION_M);
+    assertThat(kit.published(Channels.GOAL_REPORTS)).isNotEmpty();
+    assertThat(kit.published(Channels.GOAL_REPORTS).get(0).completed()).isTrue();
+  }
+
+  private static Polygon round(double north, double east, double radiusM) {
+    List<Point> corners = new ArrayList<>();
+    for (int i = 0; i < 12; i++) {
+      double angle = Math.PI * i / 6.0;
+      corners.add(
+          Point.of(north + radiusM * Math.cos(angle), east + radiusM * Math.sin(angle), 0.0));
+    }
+    Polygon area = new Polygon();
+    area.points(corners).x(north).y(east).z(0.0);
+    area.uid("out " + east).objectType("fence").referenceFrame(ReferenceFrame.LOCAL_NED);
+    return area;
+  }
+
+  /** Hovers; returns the least distance from the areas, negative inside [m]. */
+  private double leastOutsideM(List<Polygon> areas, double radiusM, Point mps) {
+    double leastM = Double.POSITIVE_INFINITY;
+    while (kit.nowS() < END_S) {
+      step(mps);
+      for (Polygon area : areas) {
+        double awayM = Math.hypot(at.x() - area.center().x(), at.y() - area.center().y());
+        leastM = Math.min(leastM, awayM - radiusM);
+      }
+    }
+    return leastM;
+  }
+
+  /** From the speed of an evasion it can only stop beyond them. */
+  @ParameterizedTest
+  @CsvSource({"6, 18, 6", "6, 18, 9", "4, 12, 6", "10, 25, 8"})
+  void paused_smallKeepOutAreasBeside_doesNotFlyThroughThem(
+      double radiusM, double eastM, double mps) {
+    kit.with("AT END", "STOP");
+    start(5.0, 0.0);
+    lead(Point.of(mps, 0.0, 0.0), 3.0);
+    pause();
+    List<Polygon> keepOut = List.of(round(at.x(), -eastM, radiusM), round(at.x(), eastM, radiusM));
+    kit.publish(Channels.FENCE, new FenceState().keepIn(List.of()).keepOut(keepOut));
+
+    assertThat(leastOutsideM(keepOut, radiusM, Point.of(mps, 0.0, 0.0))).isGreaterThan(0.0);
+    assertThat(farthestM).as("it evades").isGreaterThan(5.0);
+  }
+
+  @Test
+  void paused_alreadyInsideAKeepOutArea_doesNotFlyDeeper() {
+    kit.with("AT END", "STOP");
+    start(5.0, 0.0);
+    lead(Point.of(6.0, 0.0, 0.0), 3.0);
+    pause();
+    List<Polygon> keepOut = List.of(round(at.x(), 11.0, 12.0));
+    kit.publish(Channels.FENCE, new FenceState().keepIn(List.of()).keepOut(keepOut));
+
+    assertThat(leastOutsideM(keepOut, 12.0, Point.of(6.0, 0.0, 0.0))).isGreaterThan(-2.5);
+    assertThat(nearestM).isGreaterThan(NEAREST_M);
+  }
+
   /** As a ground vehicle: heights do not matter. */
   @Test
   void paused_withoutVerticalClearance_stays() {

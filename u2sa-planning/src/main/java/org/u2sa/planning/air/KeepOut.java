@@ -67,7 +67,7 @@ final class KeepOut {
       }
     }
     for (Wall wall : walls) {
-      if (crosses(wall, n1, e1, n2, e2)
+      if (PlanarShape.cross(n1, e1, n2, e2, wall.n1(), wall.e1(), wall.n2(), wall.e2())
           || PlanarShape.segmentM(n1, e1, wall.n1(), wall.e1(), wall.n2(), wall.e2())
               < TOUCH * wall.avoidM()
           || PlanarShape.segmentM(n2, e2, wall.n1(), wall.e1(), wall.n2(), wall.e2())
@@ -76,18 +76,6 @@ final class KeepOut {
       }
     }
     return isInside(n1, e1, n2, e2);
-  }
-
-  private static boolean crosses(Wall wall, double n1, double e1, double n2, double e2) {
-    double a = side(n1, e1, n2, e2, wall.n1(), wall.e1());
-    double b = side(n1, e1, n2, e2, wall.n2(), wall.e2());
-    double c = side(wall.n1(), wall.e1(), wall.n2(), wall.e2(), n1, e1);
-    double d = side(wall.n1(), wall.e1(), wall.n2(), wall.e2(), n2, e2);
-    return a * b < 0.0 && c * d < 0.0;
-  }
-
-  private static double side(double n1, double e1, double n2, double e2, double n, double e) {
-    return (n2 - n1) * (e - e1) - (e2 - e1) * (n - n1);
   }
 
   private boolean isInside(double n1, double e1, double n2, double e2) {

@@ -19,6 +19,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.safety.FenceState;
 import org.u2sa.planning.curve.Pose;
+import org.u2sa.planning.goals.PursuitTime;
 import org.u2sa.planning.guidance.LineSettings;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
@@ -40,11 +41,13 @@ import org.u2sa.planning.seen.SeenWorld;
  */
 public final class Avoidance {
   private static final String NONE = "NONE";
+  private static final double NEAR_M = 60.0; // goals at which an aircraft will soon stop
   private static final double IN_PLACE_M = 2.0; // beside or above, within which it is at a place
 
   private final Supplier<String> chosen;
   private final Supplier<AvoidanceVariables> settings;
   private final Supplier<LineSettings> lines;
+  private final PursuitTime time;
   private final BiConsumer<String, Boolean> say; // receives a message, and whether it is a warning
   private final SeenWorld world;
   private final Passages passages;
@@ -95,6 +98,7 @@ public final class Avoidance {
 
   /**
    * @param configuration configuration of the planner, in which PLANNER selects the route planner
+   * @param time time against which patience with a goal is measured
    * @param say reports a message to the operator; true for a warning
    * @param terrain the ground, if it is known
    * @param slope slope of climbs and descents of aircraft without EVASION CLIMB
@@ -103,11 +107,13 @@ public final class Avoidance {
       Configurator configuration,
       Supplier<AvoidanceVariables> settings,
       Supplier<LineSettings> lines,
+      PursuitTime time,
       BiConsumer<String, Boolean> say,
       Optional<HeightGrid> terrain,
       DoubleSupplier slope) {
     this.settings = settings;
     this.lines = lines;
+    this.time = time;
     this.say = say;
     Map<String, RoutePlanner> planners = new LinkedHashMap<>(RoutePlanners.all(configuration));
     List<String> names = new ArrayList<>(planners.keySet());
@@ -132,7 +138,7 @@ public final class Avoidance {
     highGround = new RouteGround(map, world, slope);
     straight =
         new StraightWays(settings, lines, world, highGround, this::planeOf, this::remainingM);
-    vertical = new VerticalGuard(world, say);
+    vertical = new VerticalGuard(world, time, say);
     drift = new DriftWatch(settings);
     inPlace = new InPlaceEvasion(world, climbing, settings, lines, say, this::arcs);
     hover = new HoverEvasion(world, climbing, settings, lines, say);
@@ -389,7 +395,8 @@ public final class Avoidance {
     if (held.isPresent() && held.get().isFor(wanted, micros)) {
       return step(held.get().choice(), vehicle, at, toGoal, wanted, Optional.empty());
     }
-    GoalAttempt current = attempt.orElseGet(() -> new GoalAttempt(routes, passages, say, micros));
+    GoalAttempt current =
+        attempt.orElseGet(() -> new GoalAttempt(routes, passages, say, micros, time.micros()));
     attempt = Optional.of(current);
     world.overlook(current.overlooks(now, micros));
     // An aircraft moves along its course, not its heading.
@@ -412,15 +419,34 @@ public final class Avoidance {
             .room(state, at, toGoal, wanted.target(), now, world, plane, Optional.empty())
             .map(each -> now.stops() ? each.descendingTo(highGround::lowestM) : each);
     List<Mover> traffic = room.isPresent() ? world.allMovers() : world.movers();
-    ArcChoice choice = current.choose(arcs(situation, vehicle, traffic, room), situation);
-    climbing.chosen(choice, at, micros);
+    ArcChoice onRoute = current.choose(arcs(situation, vehicle, traffic, room), situation);
+    Optional<ArcChoice> aside =
+        leavesRoute(onRoute, toGoal, state, micros)
+            ? hover.choose(vehicle, state, toGoal)
+            : Optional.<ArcChoice>empty();
+    ArcChoice choice = aside.orElse(onRoute);
+    if (aside.isEmpty()) {
+      climbing.chosen(choice, at, micros);
+    }
     before = Optional.of(choice);
     Optional<String> givenUp =
-        inGround.or(() -> current.judge(choice, isNear(traffic, situation), situation));
+        inGround.or(
+            () -> current.judge(choice, isNear(traffic, situation), situation, time.micros()));
     PathStatus status = PathNews.status(choice, givenUp, current.hasRecovered(), routes);
     announce(status, givenUp, wanted, at);
     held = now.stops() ? Optional.empty() : Optional.of(new HeldChoice(choice, wanted, micros));
     return step(choice, vehicle, at, toGoal, wanted, givenUp);
+  }
+
+  /**
+   * Whether an aircraft that can stop, and cannot follow its route to a near goal because of
+   * traffic, evades as where it hovers: each arc is free only as long as it goes on, past the goal.
+   */
+  private boolean leavesRoute(
+      ArcChoice onRoute, Point toGoal, StateInformation state, long micros) {
+    boolean isNear = Math.hypot(toGoal.x(), toGoal.y()) < NEAR_M;
+    boolean begins = isNear && onRoute.kind() != ArcChoice.Kind.FOLLOW;
+    return guards(state) && (begins || hover.isUnderWay(micros));
   }
 
   private Step step(

@@ -39,13 +39,19 @@ final class GoalAttempt {
   /**
    * @param say reports a message to the operator; true for a warning
    * @param micros time of the first step [µs]
+   * @param pursued {@link org.u2sa.planning.goals.PursuitTime} of the first step [µs]
    */
-  GoalAttempt(RouteKeeper routes, Passages passages, BiConsumer<String, Boolean> say, long micros) {
+  GoalAttempt(
+      RouteKeeper routes,
+      Passages passages,
+      BiConsumer<String, Boolean> say,
+      long micros,
+      long pursued) {
     this.routes = routes;
     this.passages = passages;
     this.say = say;
     watch = new ProgressWatch(micros);
-    hold = new TrafficHold(micros);
+    hold = new TrafficHold(micros, pursued);
     behaviour = new Searching(routes, micros);
   }
 
@@ -115,10 +121,11 @@ final class GoalAttempt {
    *
    * @param choice motion of this step
    * @param trafficNear whether traffic can reach the vehicle soon
+   * @param pursued {@link org.u2sa.planning.goals.PursuitTime} [µs]
    * @return reason for giving up, or empty
    */
-  Optional<String> judge(ArcChoice choice, boolean trafficNear, Situation now) {
-    long held = hold.pass(choice.kind(), trafficNear, now.micros());
+  Optional<String> judge(ArcChoice choice, boolean trafficNear, Situation now, long pursued) {
+    long held = hold.pass(choice.kind(), trafficNear, now.micros(), pursued);
     behaviour.leaveOut(held);
     watch.leaveOut(held);
     Optional<String> reason = behaviour.givesUp(now);

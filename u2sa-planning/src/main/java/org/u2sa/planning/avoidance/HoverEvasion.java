@@ -74,14 +74,15 @@ final class HoverEvasion {
     Optional<VerticalRoom> room =
         climbing.room(state, at, way, to, now, world, world.plane(state), Optional.empty());
     List<Mover> traffic = room.isPresent() ? world.allMovers() : world.movers();
-    if (traffic.isEmpty()) {
+    long micros = vehicle.timestampMicros();
+    boolean goesOn = isUnderWay(micros);
+    if (traffic.isEmpty() && !goesOn) {
       return Optional.empty();
     }
     Wanted wanted = new Wanted("", to, 0.0, OptionalDouble.empty(), OptionalDouble.empty());
     Pose pose = new Pose(at.x(), at.y(), vehicle.headingRad());
     double cellM = world.costs().frame().cellM();
     Situation situation = Situation.of(pose, way, wanted, vehicle, cellM, now, lines.get());
-    long micros = vehicle.timestampMicros();
     HoverMotions motions =
         new HoverMotions(
             world.costs(),
@@ -92,7 +93,6 @@ final class HoverEvasion {
             room,
             fence.area(at, state),
             micros);
-    boolean goesOn = last != null && micros - lastMicros <= GOES_ON_MICROS;
     boolean isFresh = goesOn && micros - decidedMicros < DECIDES_EVERY_MICROS;
     Optional<Choice> chosen =
         isFresh
@@ -109,6 +109,11 @@ final class HoverEvasion {
     Optional<ArcChoice> choice = chosen.map(HoverEvasion::motion);
     choice.ifPresent(evasion -> tell(evasion, at, micros));
     return choice;
+  }
+
+  /** Whether it evaded until a moment ago. */
+  boolean isUnderWay(long micros) {
+    return last != null && micros - lastMicros <= GOES_ON_MICROS;
   }
 
   private static ArcChoice motion(Choice chosen) {

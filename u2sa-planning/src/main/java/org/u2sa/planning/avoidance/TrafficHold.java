@@ -4,38 +4,48 @@ import java.util.List;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.planning.curve.Pose;
+import org.u2sa.planning.goals.PursuitTime;
 import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.local.ArcChoice;
 import org.u2sa.planning.seen.Mover;
 
 /**
- * Measures the time in which traffic blocks the vehicle: it waits, or backs off from slow oncoming
- * traffic. Such time does not count as lack of progress. Confined to the planner's thread.
+ * Measures the time that does not count as lack of progress: the vehicle may not move, or traffic
+ * blocks it, so that it waits or backs off from slow oncoming traffic. Confined to the planner's
+ * thread.
  */
 final class TrafficHold {
   /** Maximum hold; longer blockage by traffic counts as permanent [s]. */
   private static final double PATIENCE_S = 300.0;
 
   private long lastMicros;
+  private long lastPursued;
   private long heldMicros;
 
-  TrafficHold(long micros) {
+  /**
+   * @param micros time [µs]
+   * @param pursued {@link PursuitTime} [µs]
+   */
+  TrafficHold(long micros, long pursued) {
     lastMicros = micros;
+    lastPursued = pursued;
   }
 
   /**
    * Updates the hold at a new time.
    *
-   * @return part of the time since the last call that was lost to traffic [µs]
+   * @param pursued {@link PursuitTime} [µs]
+   * @return part of the time since the last call that was lost [µs]
    */
-  long pass(ArcChoice.Kind kind, boolean isNear, long micros) {
+  long pass(ArcChoice.Kind kind, boolean isNear, long micros, long pursued) {
     long since = micros - lastMicros;
+    long able = pursued - lastPursued;
     lastMicros = micros;
+    lastPursued = pursued;
     boolean holds =
         isNear && kind != ArcChoice.Kind.FOLLOW && heldMicros < Clock.micros(PATIENCE_S);
-    long held = holds ? since : 0L;
-    heldMicros += held;
-    return held;
+    heldMicros += holds ? able : 0L;
+    return holds ? since : since - able;
   }
 
   /** Whether traffic comes near a vehicle that moves straight on, within the given time. */

@@ -7,6 +7,7 @@ import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.planning.goals.PursuitTime;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.search.BodyDiscs;
@@ -31,18 +32,24 @@ final class VerticalGuard {
   private static final double PROGRESS_M = 1.0;
 
   private final SeenWorld world;
+  private final PursuitTime time;
   private final BiConsumer<String, Boolean> say;
   private String goal = "";
   private String said = "";
   private boolean isHeldUp;
-  private long freeMicros; // when it was last not held up
+  private long freeMicros; // pursuit time at which it was last not held up
   private long heldMicros; // when it was last held up
   private long progressMicros; // when it was last free for a while, or got farther than before
   private double lowestM; // altitude reached in descents to the goal
   private double highestM; // likewise in climbs
 
-  VerticalGuard(SeenWorld world, BiConsumer<String, Boolean> say) {
+  /**
+   * @param time time against which patience is measured
+   * @param say reports a message to the operator; true for a warning
+   */
+  VerticalGuard(SeenWorld world, PursuitTime time, BiConsumer<String, Boolean> say) {
     this.world = world;
+    this.time = time;
     this.say = say;
   }
 
@@ -156,7 +163,7 @@ final class VerticalGuard {
       boolean byObstacle,
       AvoidanceVariables now) {
     isHeldUp = held;
-    long micros = vehicle.timestampMicros();
+    long micros = time.micros();
     if (!goal.equals(pursued)) {
       goal = pursued;
       said = "";
@@ -186,7 +193,7 @@ final class VerticalGuard {
 
   /** Whether evasions and new attempts have alternated for too long without progress. */
   private boolean evadesForLong(Vehicle vehicle, Point way, boolean held) {
-    long micros = vehicle.timestampMicros();
+    long micros = time.micros();
     double upM = vehicle.place().upM().orElse(0.0);
     boolean isLower = way.z() > 0.0 && upM < lowestM - PROGRESS_M;
     boolean isHigher = way.z() < 0.0 && upM > highestM + PROGRESS_M;

@@ -32,6 +32,8 @@ public final class HoverMotions {
   private static final double CHANGE_M = 10.0; // by which another free spot must be nearer
   private static final double ROOMY = 1.5; // distances beyond it are not distinguished
   private static final double MEAN_SHARE = 0.1;
+  private static final double ASTRAY = 10.0; // price of a spot from which it cannot return
+  private static final double AT_PLACE_M = 1.0; // shorter ways are always free
   private static final double CLEARLY = 0.05; // difference of distances that justifies a change
 
   /**
@@ -85,16 +87,19 @@ public final class HoverMotions {
   }
 
   /**
-   * Spot to evade to; empty if the straight way to a position, and hovering there, is free.
+   * Spot to evade to; empty if the straight way to a position, and hovering there, is free. The
+   * straight way from each spot to the position stays inside the fence.
    *
    * @param at vehicle on the plane [m]
    * @param velocity of the vehicle [m/s]
    * @param to position on the plane [m]
-   * @param before spot of the evasion under way; then the straight way must be clearly free
+   * @param before spot of the evasion under way; then the straight way must be clearly free, and
+   *     stay inside the fence
    */
   public Optional<Choice> choose(Point at, Point velocity, Point to, Optional<Point> before) {
     double share = before.isPresent() ? 1.0 + 2.0 * CLEARLY : 1.0;
-    if (traffic.isEmpty() || play(at, velocity, to, true, share).isFree()) {
+    boolean leadsBack = before.isEmpty() || isAllowed(at, to);
+    if (leadsBack && (traffic.isEmpty() || play(at, velocity, to, true, share).isFree())) {
       return Optional.empty();
     }
     List<Point> spots = spots(to.minus(at).distance() < AROUND_M ? to : at);
@@ -105,18 +110,30 @@ public final class HoverMotions {
     double widest = Double.NEGATIVE_INFINITY;
     for (Point spot : spots) {
       Outcome outcome = play(at, velocity, spot, false, 1.0);
+      boolean returns = isAllowed(outcome.end(), to);
+      boolean isFree = outcome.isFree() && returns;
       boolean isSame = before.filter(each -> each == spot).isPresent();
       double awayM = spot.minus(to).distance() - (isSame ? CHANGE_M : 0.0);
-      double room = outcome.room() + (isSame ? CLEARLY : 0.0);
+      double room = outcome.room() + (isSame ? CLEARLY : 0.0) - (returns ? 0.0 : ASTRAY);
       boolean isBetter =
-          outcome.isFree() ? awayM < leastM : leastM == Double.POSITIVE_INFINITY && room > widest;
+          isFree ? awayM < leastM : leastM == Double.POSITIVE_INFINITY && room > widest;
       if (isBetter) {
         best = new Choice(outcome.end(), speedMps(at, outcome.end()), outcome.distance());
         widest = room;
-        leastM = outcome.isFree() ? awayM : leastM;
+        leastM = isFree ? awayM : leastM;
       }
     }
     return Optional.of(best);
+  }
+
+  /** Whether a straight way stays inside the fence, or leaves it only at its end. */
+  private boolean isAllowed(Point from, Point to) {
+    if (Math.hypot(to.x() - from.x(), to.y() - from.y()) < AT_PLACE_M) {
+      return true;
+    }
+    return allowed.contains(to.x(), to.y())
+        ? allowed.allows(from.x(), from.y(), to.x(), to.y())
+        : allowed.allows(to.x(), to.y(), from.x(), from.y());
   }
 
   /** The same spot from another position. */
@@ -239,17 +256,14 @@ public final class HoverMotions {
         && !free.isBlocked(new Pose(north, east, 0.0), down);
   }
 
-  /** Speed, at most as given, from which it stops inside the fence [m/s]. */
+  /** Speed, at most as given, from which it stops inside the fence, or nearer to it [m/s]. */
   private double insideMps(double north, double east, double vNorth, double vEast, double mps) {
-    if (!allowed.contains(north, east)) {
-      return mps;
-    }
     for (double share = 1.0; share > STANDS_SHARE; share *= SLOWER) {
       double slower = share * mps;
       double stopsM =
           FENCE_SHARE * (slower * FENCE_REACTION_S + slower * slower / (2.0 * FENCE_BRAKING_MPS2));
       double ahead = (stopsM + slower * STEP_S) / mps;
-      if (allowed.contains(north + ahead * vNorth, east + ahead * vEast)) {
+      if (allowed.allows(north, east, north + ahead * vNorth, east + ahead * vEast)) {
         return share * mps;
       }
     }

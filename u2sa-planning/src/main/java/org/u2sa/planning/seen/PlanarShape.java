@@ -192,6 +192,27 @@ public final class PlanarShape {
     return inside;
   }
 
+  /** Whether a straight way crosses its outline. */
+  public boolean isCrossedBy(double north, double east, double toNorth, double toEast) {
+    for (int i = 0, j = norths.length - 1; i < norths.length; j = i++) {
+      if (cross(north, east, toNorth, toEast, norths[j], easts[j], norths[i], easts[i])) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Whether two segments cross; not if one only touches the other. */
+  public static boolean cross(
+      double n1, double e1, double n2, double e2, double n3, double e3, double n4, double e4) {
+    return side(n1, e1, n2, e2, n3, e3) * side(n1, e1, n2, e2, n4, e4) < 0.0
+        && side(n3, e3, n4, e4, n1, e1) * side(n3, e3, n4, e4, n2, e2) < 0.0;
+  }
+
+  private static double side(double n1, double e1, double n2, double e2, double n, double e) {
+    return (n2 - n1) * (e - e1) - (e2 - e1) * (n - n1);
+  }
+
   /** Distance of a point from a line segment [m]. */
   public static double segmentM(
       double north, double east, double n1, double e1, double n2, double e2) {

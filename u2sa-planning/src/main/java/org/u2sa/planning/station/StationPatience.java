@@ -7,8 +7,6 @@ import org.u2sa.messages.goal.Station;
 
 /** Limits the time spent near a station that cannot be kept for its duration. */
 public final class StationPatience {
-  private static final double LONGEST_STEP_S = 1.0; // counted between two states
-
   private double nearS; // time since the vehicle first came near
   private long beforeMicros = Long.MIN_VALUE; // of the previous state
 
@@ -27,12 +25,12 @@ public final class StationPatience {
     return nearS;
   }
 
-  /** Counts the time since the previous state. */
-  public void count(boolean isNear, long nowMicros) {
+  /** Counts the {@linkplain org.u2sa.planning.goals.PursuitTime time} since the previous state. */
+  public void count(boolean isNear, long pursuedMicros) {
     if ((isNear || nearS > 0.0) && beforeMicros != Long.MIN_VALUE) {
-      nearS += Math.min(LONGEST_STEP_S, Clock.seconds(nowMicros - beforeMicros));
+      nearS += Clock.seconds(pursuedMicros - beforeMicros);
     }
-    beforeMicros = nowMicros;
+    beforeMicros = pursuedMicros;
   }
 
   /** Why the station is given up; empty if it is not. One without a duration never is. */

@@ -14,7 +14,12 @@ import org.u2sa.planning.route.Route;
 class GoalAttemptTest {
   private final AvoidanceBench bench = new AvoidanceBench();
   private final GoalAttempt attempt =
-      new GoalAttempt(bench.routes, bench.passages, bench::say, AvoidanceBench.micros(0.0));
+      new GoalAttempt(
+          bench.routes,
+          bench.passages,
+          bench::say,
+          AvoidanceBench.micros(0.0),
+          AvoidanceBench.micros(0.0));
   private final double stuckS = bench.settings.stuckAfter();
   private final double giveUpS = bench.settings.giveUpAfter();
   private final double overlookS = bench.settings.overlookAfter();
@@ -25,7 +30,7 @@ class GoalAttemptTest {
 
   private Optional<String> judge(double seconds, boolean trafficNear) {
     Situation now = bench.at(seconds);
-    return attempt.judge(bench.step(attempt, now), trafficNear, now);
+    return attempt.judge(bench.step(attempt, now), trafficNear, now, now.micros());
   }
 
   private Optional<String> judge(double seconds) {

@@ -13,25 +13,25 @@ import org.u2sa.planning.seen.Mover;
 class TrafficHoldTest {
   private static final long STEP = Clock.micros(0.5);
 
-  private final TrafficHold hold = new TrafficHold(0);
+  private final TrafficHold hold = new TrafficHold(0, 0);
 
   @Test
   void pass_waitsOrBacksOffBesideTraffic_timeIsHeld() {
-    assertThat(hold.pass(Kind.WAIT, true, STEP)).isEqualTo(STEP);
-    assertThat(hold.pass(Kind.EVADE, true, 2 * STEP)).isEqualTo(STEP);
+    assertThat(hold.pass(Kind.WAIT, true, STEP, STEP)).isEqualTo(STEP);
+    assertThat(hold.pass(Kind.EVADE, true, 2 * STEP, 2 * STEP)).isEqualTo(STEP);
   }
 
   @Test
   void pass_followsItsRouteOrNobodyIsNear_timeCounts() {
-    assertThat(hold.pass(Kind.FOLLOW, true, STEP)).isZero();
-    assertThat(hold.pass(Kind.WAIT, false, 2 * STEP)).isZero();
+    assertThat(hold.pass(Kind.FOLLOW, true, STEP, STEP)).isZero();
+    assertThat(hold.pass(Kind.WAIT, false, 2 * STEP, 2 * STEP)).isZero();
   }
 
   @Test
   void pass_trafficStaysForMinutes_patienceEnds() {
     long held = 0;
     for (int i = 1; i <= 2000; i++) {
-      held += hold.pass(Kind.WAIT, true, i * STEP);
+      held += hold.pass(Kind.WAIT, true, i * STEP, i * STEP);
     }
     assertThat(Clock.seconds(held)).isEqualTo(300.0);
   }

@@ -58,11 +58,24 @@ class HoverMotionsTest {
     costs.update(new byte[200 * 200]);
     HoverMotions motions =
         new HoverMotions(
-            costs, 0.6, 3.0, List.of(drone), limits, Optional.of(room), (north, east) -> true, 0L);
+            costs, 0.6, 3.0, List.of(drone), limits, Optional.of(room), new Everywhere(), 0L);
     Point here = Point.of(0.0, 0.0, -HIGH_M);
     Point spot = motions.choose(here, Point.ORIGIN, here, Optional.empty()).orElseThrow().spot();
 
     double aboveM = groundDownM(spot.x(), spot.y()) - spot.z();
     assertThat(aboveM).isGreaterThanOrEqualTo(KEPT_M - 0.1);
+  }
+
+  /** No fence. */
+  private static final class Everywhere implements Area {
+    @Override
+    public boolean contains(double northM, double eastM) {
+      return true;
+    }
+
+    @Override
+    public boolean allows(double northM, double eastM, double toNorthM, double toEastM) {
+      return true;
+    }
   }
 }
