@@ -32,12 +32,23 @@ final class AwaitedSensors {
     }
   }
 
+  private final int needed; // measurements of a sensor before it counts
+  private final Map<String, Integer> counts = new TreeMap<>(); // of each sensor's measurements
   private final Map<String, Scans> scanned = new TreeMap<>(); // by scanner, of either kind
   private final Set<String> cloudy = new TreeSet<>(); // scanners that publish clouds
   private final Map<String, Long> seen = new TreeMap<>(); // newest sighting of each sensor [µs]
 
+  /**
+   * @param needed measurements of a sensor before it counts: after a restart, objects that it saw
+   *     must be confirmed again before the vehicle may rely on the map
+   */
+  AwaitedSensors(int needed) {
+    this.needed = needed;
+  }
+
   /** Registers a scan that was placed on the map and ended at a time. */
   void scan(String sensor, long micros) {
+    counts.merge(sensor, 1, Integer::sum);
     Scans before = scanned.get(sensor);
     scanned.put(sensor, before == null ? new Scans(micros, 0, 0) : before.then(micros));
   }
@@ -52,6 +63,7 @@ final class AwaitedSensors {
 
   /** Registers a sighting that was placed on the map. */
   void sighting(String sensor, long micros) {
+    counts.merge(sensor, 1, Integer::sum);
     seen.merge(sensor, micros, Math::max);
   }
 
@@ -80,8 +92,11 @@ final class AwaitedSensors {
       List<String> expected, boolean needsScans, long nowMicros, long silentMicros) {
     long since = nowMicros - silentMicros;
     List<String> silent = new ArrayList<>(expected.isEmpty() ? scanned.keySet() : expected);
-    silent.removeIf(sensor -> scansSince(sensor, nowMicros, since, expected.isEmpty()));
-    silent.removeIf(sensor -> seen.getOrDefault(sensor, Long.MIN_VALUE) >= since);
+    silent.removeIf(
+        sensor ->
+            counts.getOrDefault(sensor, 0) >= needed
+                && (scansSince(sensor, nowMicros, since, expected.isEmpty())
+                    || seen.getOrDefault(sensor, Long.MIN_VALUE) >= since));
     if (expected.isEmpty() && needsScans && scanners().isEmpty()) {
       silent.add(ANY_SCANNER);
     }

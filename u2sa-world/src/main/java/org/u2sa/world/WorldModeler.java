@@ -47,6 +47,7 @@ public final class WorldModeler extends PeriodicService {
   private static final int MAX_OBJECTS = 1_000; // sighted in a step
   private static final int MAX_OF_ONE = 300; // of them by one sensor
   private static final double RATE_HZ = 10.0;
+  private static final int CONFIRMED_BY = 3; // measurements: the default of CONFIRM HITS
   private static final long FUTURE_MICROS = Clock.MICROS_PER_SECOND; // tolerated clock difference
   private static final double LONGEST_SCAN_S = 10.0; // longer scans are invalid
 
@@ -57,7 +58,7 @@ public final class WorldModeler extends PeriodicService {
   private final Arrivals arrivals = new Arrivals();
   private final Relevance relevance = new Relevance();
   private final SightingCount count = new SightingCount();
-  private final AwaitedSensors sensors = new AwaitedSensors();
+  private final AwaitedSensors sensors;
   private MapFrame frame = MapFrame.BODY;
   private final KnownObjects known;
   private long heardStateMicros; // run clock, not the state's timestamp
@@ -68,6 +69,7 @@ public final class WorldModeler extends PeriodicService {
   public WorldModeler(ServiceContext context) {
     super(context, ServiceRole.WORLD_MODELER, "WorldModeler", RATE_HZ);
     this.context = context;
+    sensors = new AwaitedSensors(context.isRestart() ? CONFIRMED_BY : 1);
     modellers =
         new ChosenModellers(
             this,

@@ -62,6 +62,21 @@ class AwaitedSensorsTest {
     assertThat(awaited()).isEmpty();
   }
 
+  /** Objects that it saw before are unknown until they are confirmed again. */
+  @Test
+  void restart_scannerIsAwaitedUntilItHasScannedThrice() {
+    WorldModeler first = world.kit.start(WorldModeler::new);
+    scan(1, "Lidar");
+    assertThat(awaited()).isEmpty();
+    world.kit.restart(first, WorldModeler::new);
+    scan(1, "Lidar");
+    assertThat(awaited()).isNotEmpty();
+    scan(1, "Lidar");
+    assertThat(awaited()).isNotEmpty();
+    scan(2, "Lidar");
+    assertThat(awaited()).isEmpty();
+  }
+
   @Test
   void slowScanner_mayTakeTwiceItsUsualInterval() {
     world.kit.start(WorldModeler::new);
