@@ -9,10 +9,11 @@ import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.TakeOff;
 import org.u2sa.messages.safety.FenceState;
 import org.u2sa.messages.shape.MovingSphere;
 
-/** A multirotor that climbs away from overtaking traffic, below the ceiling of the fence. */
+/** A multirotor that climbs, as its goal or away from traffic, below the ceiling of the fence. */
 class ClimbBelowCeilingTest extends PlannedVehicle {
   private static final double STEP_S = 0.1;
   private static final double UP_M = 25.0;
@@ -21,6 +22,7 @@ class ClimbBelowCeilingTest extends PlannedVehicle {
 
   private Point at = Point.of(0.0, 0.0, -UP_M);
   private Point velocity = Point.ORIGIN;
+  private double apartM; // of the traffic, beside
   private double highestM;
   private double leastM = Double.POSITIVE_INFINITY; // room to level off, as the Safety Manager sees
 
@@ -28,7 +30,7 @@ class ClimbBelowCeilingTest extends PlannedVehicle {
     kit.advance(STEP_S);
     MovingSphere other = new MovingSphere().radius(20.0);
     other.uid("drone").objectType("drone").referenceFrame(ReferenceFrame.LOCAL_NED);
-    other.x(-120.0 + 12.0 * kit.nowS()).y(0.0).z(-UP_M + 4.0);
+    other.x(-120.0 + 12.0 * kit.nowS()).y(apartM).z(-UP_M + 4.0);
     other.motion().velocity(Point.of(12.0, 0.0, 0.0));
     kit.publish(Channels.FENCE, new FenceState().highest(CEILING_M));
     kit.publish(Channels.OBJECTS, new ObjectList().objects(List.of(other)));
@@ -57,19 +59,39 @@ class ClimbBelowCeilingTest extends PlannedVehicle {
     leastM = Math.min(leastM, CEILING_M + at.z() - overshootM);
   }
 
-  @Test
-  void waypoint_trafficOvertakes_climbsNoFasterThanItCanLevelOff() {
+  private void start() {
     kit.with("PLANNER", "GRID").with("VERTICAL CLEARANCE", 5.0).with("EVASION CLIMB", 2.0);
     kit.with("TRAFFIC CLEARANCE", 5.0).with("TRAFFIC HORIZON", 20.0).with("CLEARANCE", 3.0);
     kit.with("INFLATION", 6.0).with("PLANNING CELL", 1.0).with("PLANNING SPAN", 200.0);
     kit.with("LOOK AHEAD", 8.0).with("PLANNED SPEED", 8.0).with("REACTION TIME", 1.0);
     kit.with("PLANNED ACCELERATION", 2.0).with("PLANNED BRAKING", 2.0);
     kit.start(PathPlanner::new);
+  }
+
+  @Test
+  void waypoint_trafficOvertakes_climbsNoFasterThanItCanLevelOff() {
+    start();
     goals(waypoint("1", 150.0, 0.0).z(-UP_M));
     while (kit.nowS() < 40.0 && kit.latest(Channels.GOAL_REPORTS).isEmpty()) {
       step();
     }
     assertThat(highestM).isGreaterThan(UP_M + 15.0);
     assertThat(leastM).isNotNegative();
+  }
+
+  @Test
+  void takeOff_belowTheCeiling_climbsNoFasterThanItCanLevelOff() {
+    apartM = 500.0;
+    at = Point.ORIGIN;
+    start();
+    TakeOff up = new TakeOff();
+    up.x(0.0).y(0.0).z(-CEILING_M + 4.0).horizontalThreshold(2.0);
+    goals(up.uid("up").referenceFrame(ReferenceFrame.LOCAL_NED));
+    while (kit.nowS() < 60.0 && kit.latest(Channels.GOAL_REPORTS).isEmpty()) {
+      step();
+    }
+    assertThat(highestM).isGreaterThan(CEILING_M - 5.0);
+    assertThat(leastM).isNotNegative();
+    assertThat(kit.latest(Channels.GOAL_REPORTS)).isPresent();
   }
 }

@@ -75,12 +75,12 @@ final class InPlaceEvasion {
     Optional<VerticalRoom> room = climbing.room(state, at, way, to, now, world, plane, spot);
     List<Mover> traffic = room.isPresent() ? world.allMovers() : world.movers();
     double downM = traffic.isEmpty() ? way.z() : downM(vehicle, at, way, ground, room, traffic);
-    boolean isWanted = downM == way.z();
+    boolean lands = downM > 0.0 && downM == way.z(); // the goal lies below the fence's floor
     Point apart =
         Point.of(
             way.x(),
             way.y(),
-            isWanted ? downM : climbing.inside(plane, at.z(), vehicle.downMps(), downM));
+            lands ? downM : climbing.inside(plane, at.z(), vehicle.downMps(), downM));
     return ground.lands() || room.isEmpty() || way.z() > 0.0
         ? apart
         : sideStep.way(goal, vehicle, state, apart, spot, traffic, now);

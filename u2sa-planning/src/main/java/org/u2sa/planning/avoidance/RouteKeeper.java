@@ -28,6 +28,9 @@ final class RouteKeeper {
   /** Distance within which a route must have left closed cells [radii with clearance]. */
   private static final double LEAVES_RADII = 2.0;
 
+  private static final double STOPS_SHORT_M = 0.15; // TOLERANCE of a control, by default
+  private static final double STOPS_SHORT = 0.3; // likewise, in thresholds at most
+
   private static final int MAX_DOUBLINGS = 4; // doublings of the wait after failed searches
 
   private final SeenWorld world;
@@ -43,6 +46,7 @@ final class RouteKeeper {
   private int triedRevision = -1; // world revision of the last search
   private boolean triesAhead; // looks for a route that does not lead back
   private long aheadUntil; // time at which it also admits routes that do [µs]
+  private boolean triesNearer; // the route ends short of the goal, and narrower passages are new
   private int failures; // failed searches, one after the other
   private long plannedMicros = Long.MIN_VALUE / 2;
 
@@ -67,6 +71,7 @@ final class RouteKeeper {
     dropUntil(Long.MIN_VALUE / 2);
     obstacle = "";
     triesAhead = false;
+    triesNearer = false;
   }
 
   /** Drops the route. The next one is planned from the pose at a time [µs]. */
@@ -130,8 +135,8 @@ final class RouteKeeper {
     if (blocked && now.settings().stops()) {
       obstacles.blocked(track.get(), now.micros());
     }
-    if (goalMoved(now) || lacking || blocked || (off > leftM && due)) {
-      replace(plan(now));
+    if (goalMoved(now) || lacking || blocked || due && (off > leftM || triesNearer)) {
+      replace(plan(now), now);
     } else if (changed && due) {
       Route route = plan(now);
       if (route.exists() && route.cost() < BETTER * costLeft()) {
@@ -167,7 +172,11 @@ final class RouteKeeper {
     return moved > now.thresholdM() + now.cellM();
   }
 
-  private void replace(Route route) {
+  private void replace(Route route, Situation now) {
+    triesNearer = endsShort(route, now) && passages.narrow();
+    if (triesNearer) {
+      say.accept("obstacles at the goal: trying narrower passages", false);
+    }
     track = route.exists() ? Optional.of(new RouteTrack(route)) : Optional.empty();
     obstacle = reason(route);
     searches = route.goesOn();
@@ -185,6 +194,19 @@ final class RouteKeeper {
         say.accept("no route with room to turn: trying narrower passages", false);
       }
     }
+  }
+
+  /**
+   * Whether a route ends so near the edge of the goal's threshold that a control which stops a
+   * little short of its end would never reach the goal.
+   */
+  private static boolean endsShort(Route route, Situation now) {
+    if (!route.exists()) {
+      return false;
+    }
+    Route.Point last = route.points().get(route.points().size() - 1);
+    double offM = Math.hypot(last.northM() - now.goalNorthM(), last.eastM() - now.goalEastM());
+    return offM > now.thresholdM() - Math.min(STOPS_SHORT_M, STOPS_SHORT * now.thresholdM());
   }
 
   /** Goes on looking for a route ahead, or admits all others again. */

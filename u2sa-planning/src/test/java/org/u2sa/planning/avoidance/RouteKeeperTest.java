@@ -75,6 +75,23 @@ class RouteKeeperTest {
     assertThat(routes.track().get().cost()).isEqualTo(5.0);
   }
 
+  /** A control that stops a little short of the route's end would not reach the goal. */
+  @Test
+  void update_routeEndsAtTheEdgeOfTheThreshold_isPlannedAgainThroughNarrowerPassages() {
+    AvoidanceBench turning = new AvoidanceBench();
+    turning.turnsOnTheSpot = true;
+    turning.answer = AvoidanceBench.northward(7.55, 7.55);
+    turning.routes.update(turning.at(0.0));
+    assertThat(turning.routes.track()).isPresent();
+    assertThat(turning.said).anyMatch(line -> line.contains("obstacles at the goal"));
+
+    turning.answer = AvoidanceBench.northward(7.9, 9.0);
+    turning.routes.update(turning.at(5.0));
+    assertThat(turning.routes.track().orElseThrow().cost()).isEqualTo(9.0);
+    turning.routes.update(turning.at(10.0));
+    assertThat(turning.requests).hasSize(2);
+  }
+
   @Test
   void update_vehicleOffTheRoute_plansWhenDue() {
     routes.update(bench.at(0.1, 0.0, 3.0));
