@@ -9,6 +9,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.ObjectList;
+import org.u2sa.messages.OccupancyGrid;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FailsafeState;
 
@@ -71,6 +74,37 @@ class PlannerBlindTest extends PlannedVehicle {
     empty();
     assertThat(pointsIn(10)).isEqualTo(10);
     assertThat(logged("surroundings known again: continues")).isEqualTo(1);
+  }
+
+  /** A list that is too long is not published, while the grid is. */
+  @Test
+  void state_onlyTheGridComes_standsWithoutObjects() {
+    start("GRID");
+    empty();
+    assertThat(pointsIn(10)).isEqualTo(10);
+    int moving = 0;
+    for (int i = 0; i < 4; i++) {
+      kit.publish(Channels.GRID, grid());
+      moving += pointsIn(10);
+    }
+    assertThat(moving).as("2 s after the last objects").isEqualTo(10);
+  }
+
+  @Test
+  void state_gridAlone_suffices() {
+    start("GRID");
+    for (int i = 0; i < 4; i++) {
+      kit.publish(Channels.GRID, grid());
+      assertThat(pointsIn(10)).isEqualTo(10);
+    }
+  }
+
+  private static OccupancyGrid grid() {
+    return new OccupancyGrid()
+        .anchor(ReferenceFrame.LOCAL_NED, Point.ORIGIN)
+        .corner(-5.0, -5.0)
+        .resolution(0.5)
+        .cells(20, new byte[400]);
   }
 
   @Test

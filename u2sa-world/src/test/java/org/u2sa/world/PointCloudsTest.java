@@ -11,6 +11,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.shape.Circle;
@@ -60,6 +61,34 @@ class PointCloudsTest {
     }
     assertThat(world.objects()).hasSize(1);
     assertThat(world.objects().get(0).distanceTo(Point.of(12.0, -2.0, 0.0))).isLessThan(0.3);
+  }
+
+  /** Readers accept lists of 1 MiB: a longer one would not arrive at all. */
+  @Test
+  void objects_morePointsThanAListTakes_theNearestStay() {
+    world.kit.with("MODELLERS", "OBJECTS").start(WorldModeler::new);
+    ObjectDescription[] clouds = new ObjectDescription[6];
+    for (int sensor = 0; sensor < 5; sensor++) {
+      List<Point> far = new ArrayList<>();
+      for (int i = 0; i < 9_950; i++) {
+        far.add(Point.of(50.0 + 0.01 * i, 30.0 * sensor, -20.0));
+      }
+      clouds[sensor] = cloud("Far " + sensor, far.toArray(new Point[0]));
+    }
+    clouds[5] = wallBeside(0.0);
+    world.tick(local(0.0, 0.0, 0.0), clouds);
+
+    ObjectList list = world.kit.latest(Channels.OBJECTS).orElseThrow();
+    assertThat(list.serialize().length).isLessThan(1 << 20);
+    PointCloud wall =
+        list.objects().stream()
+            .filter(object -> object.sensorName().equals("Points"))
+            .map(PointCloud.class::cast)
+            .findAny()
+            .orElseThrow();
+    assertThat(wall.points()).hasSize(wallBeside(0.0).points().size());
+    world.stand(20);
+    assertThat(world.remarks()).contains("points too far away left out");
   }
 
   @Test

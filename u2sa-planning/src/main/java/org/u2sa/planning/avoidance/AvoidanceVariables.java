@@ -139,7 +139,7 @@ public record AvoidanceVariables(
         double overlookAfter,
     @Variable(unit = "s", min = 0, minExcluded = true, ifAbsent = 2)
         @Description(
-            "Age of the World Modeler's newest objects or grid at which the vehicle stops, or circles if it cannot stop, until newer data arrive. Not with PLANNER = NONE.")
+            "Age of the World Modeler's newest objects, or of its newest grid if it publishes no objects, at which the vehicle stops, or circles if it cannot stop, until newer data arrive. Not with PLANNER = NONE.")
         double worldStaleAfter) {
   /** Collision distance to an obstacle, allowing for rounding [fraction of a cell]. */
   private static final double TOUCH_CELLS = 0.5;

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Supplier;
+import org.u2sa.planning.goals.CloserLook;
 import org.u2sa.planning.local.ArcChoice;
 import org.u2sa.planning.local.RouteTrack;
 import org.u2sa.planning.route.Route;
@@ -28,6 +29,10 @@ final class RouteKeeper {
   /** Distance within which a route must have left closed cells [radii with clearance]. */
   private static final double LEAVES_RADII = 2.0;
 
+  private static final double CLOSE_M = 3.0; // from a goal, to see what is there
+  private static final double CLOSE = 3.0; // likewise, in radii at least
+  private static final double LOOKS_M = 1.0; // shorter ways are not worth it
+
   private static final double STOPS_SHORT_M = 0.15; // TOLERANCE of a control, by default
   private static final double STOPS_SHORT = 0.3; // likewise, in thresholds at most
 
@@ -46,6 +51,7 @@ final class RouteKeeper {
   private int triedRevision = -1; // world revision of the last search
   private boolean triesAhead; // looks for a route that does not lead back
   private long aheadUntil; // time at which it also admits routes that do [µs]
+  private final CloserLook look = new CloserLook();
   private boolean triesNearer; // the route ends short of the goal, and narrower passages are new
   private int failures; // failed searches, one after the other
   private long plannedMicros = Long.MIN_VALUE / 2;
@@ -72,6 +78,7 @@ final class RouteKeeper {
     obstacle = "";
     triesAhead = false;
     triesNearer = false;
+    look.begin();
   }
 
   /** Drops the route. The next one is planned from the pose at a time [µs]. */
@@ -125,6 +132,14 @@ final class RouteKeeper {
   /** Updates the vehicle's progress along the route, and the route. */
   void update(Situation now) {
     double off = track.map(route -> follow(route, now)).orElse(0.0);
+    if (look.isUnderWay() && (track.isEmpty() || track.get().remainingM() < LOOKS_M)) {
+      track = Optional.empty(); // it is there, and waits for a way to the goal
+      look.wayFound();
+      tryAgain();
+    }
+    if (lacksWay() && look.begins(now.settings().stops() && isFar(now), now.micros())) {
+      tryAgain();
+    }
     double leftM = Math.max(now.limits().lookAheadM(), 0.5 * now.limits().turnRadiusM());
     boolean changed = world.revision() != revision;
     boolean blocked = changed && track.isPresent() && costLeft() == Double.POSITIVE_INFINITY;
@@ -137,12 +152,30 @@ final class RouteKeeper {
     }
     if (goalMoved(now) || lacking || blocked || due && (off > leftM || triesNearer)) {
       replace(plan(now), now);
-    } else if (changed && due) {
+    } else if (changed && due || look.isUnderWay() && searches) {
       Route route = plan(now);
-      if (route.exists() && route.cost() < BETTER * costLeft()) {
+      searches = look.isUnderWay() && route.goesOn();
+      boolean isBetter = look.isUnderWay() || route.cost() < BETTER * costLeft();
+      if (route.exists() && isBetter) {
         track = Optional.of(new RouteTrack(route));
+        look.wayFound();
       }
     }
+  }
+
+  private boolean lacksWay() {
+    return track.isEmpty() && !searches && !triesAhead && !obstacle.isEmpty();
+  }
+
+  private static boolean isFar(Situation now) {
+    double awayM =
+        Math.hypot(now.goalNorthM() - now.pose().northM(), now.goalEastM() - now.pose().eastM());
+    return awayM > closeM(now) + LOOKS_M;
+  }
+
+  /** Distance from a goal at which the vehicle sees what is there [m]. */
+  private static double closeM(Situation now) {
+    return Math.max(CLOSE_M, CLOSE * now.body().circleM()) + now.thresholdM();
   }
 
   /**
@@ -169,11 +202,16 @@ final class RouteKeeper {
     double moved =
         Math.hypot(
             track.get().northM(last) - now.goalNorthM(), track.get().eastM(last) - now.goalEastM());
-    return moved > now.thresholdM() + now.cellM();
+    return moved > (look.isUnderWay() ? closeM(now) : now.thresholdM()) + now.cellM();
   }
 
   private void replace(Route route, Situation now) {
-    triesNearer = endsShort(route, now) && passages.narrow();
+    if (look.isSought() && !route.goesOn()) {
+      looked(route.exists());
+    } else if (route.exists()) {
+      look.wayFound();
+    }
+    triesNearer = !look.isUnderWay() && endsShort(route, now) && passages.narrow();
     if (triesNearer) {
       say.accept("obstacles at the goal: trying narrower passages", false);
     }
@@ -196,6 +234,15 @@ final class RouteKeeper {
     }
   }
 
+  private void looked(boolean isPossible) {
+    if (isPossible) {
+      look.starts();
+      say.accept("no way to the goal: going nearer, to see what is there", false);
+    } else {
+      look.fails();
+    }
+  }
+
   /**
    * Whether a route ends so near the edge of the goal's threshold that a control which stops a
    * little short of its end would never reach the goal.
@@ -206,7 +253,8 @@ final class RouteKeeper {
     }
     Route.Point last = route.points().get(route.points().size() - 1);
     double offM = Math.hypot(last.northM() - now.goalNorthM(), last.eastM() - now.goalEastM());
-    return offM > now.thresholdM() - Math.min(STOPS_SHORT_M, STOPS_SHORT * now.thresholdM());
+    double shortM = Math.min(STOPS_SHORT_M, STOPS_SHORT * now.thresholdM());
+    return offM > now.thresholdM() - shortM && offM <= now.thresholdM() + now.cellM();
   }
 
   /** Goes on looking for a route ahead, or admits all others again. */
@@ -239,7 +287,7 @@ final class RouteKeeper {
                 now.goalNorthM(),
                 now.goalEastM(),
                 now.goalHeadingRad(),
-                now.thresholdM(),
+                look.isSought() ? closeM(now) : now.thresholdM(),
                 new Mobility(
                     now.body(),
                     settings.clearance(),

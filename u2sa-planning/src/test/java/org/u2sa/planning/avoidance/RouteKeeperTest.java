@@ -153,10 +153,49 @@ class RouteKeeperTest {
     bench.see(AvoidanceBench.post(4.0, 0.0));
     routes.update(bench.at(5.0));
     routes.update(bench.at(10.0));
-    routes.update(bench.at(15.0));
+    routes.update(bench.at(12.0));
 
     assertThat(bench.requests).hasSize(3);
     assertThat(bench.said).containsExactly("no route with room to turn: trying narrower passages");
+  }
+
+  /** What stood there when it was last seen may have left. */
+  @Test
+  void update_noRouteForAWhile_leadsNearTheGoalToLookWhetherThatIsSo() {
+    bench.answer = Route.none("the goal is occupied");
+    bench.see(AvoidanceBench.post(8.0, 0.0));
+    routes.update(bench.at(5.0));
+    routes.update(bench.at(6.0));
+    assertThat(routes.track()).isEmpty();
+
+    bench.answer = AvoidanceBench.northward(5.0, 5.0);
+    routes.update(bench.at(10.0));
+    assertThat(bench.requests.get(bench.requests.size() - 1).toleranceM()).isGreaterThan(3.0);
+    assertThat(bench.said).anyMatch(line -> line.contains("going nearer"));
+    routes.update(bench.at(12.0, 2.0, 0.0));
+    assertThat(routes.track()).isPresent();
+
+    bench.answer = Route.none("the goal is occupied");
+    routes.update(bench.at(15.0, 4.9, 0.0));
+    routes.update(bench.at(30.0, 4.9, 0.0));
+    assertThat(routes.track()).as("it is there").isEmpty();
+    assertThat(bench.requests.get(bench.requests.size() - 1).toleranceM()).isEqualTo(0.5);
+  }
+
+  @Test
+  void update_onItsWayToLookAndTheGoalIsFree_leadsToTheGoal() {
+    bench.answer = Route.none("the goal is occupied");
+    bench.see(AvoidanceBench.post(8.0, 0.0));
+    routes.update(bench.at(5.0));
+    routes.update(bench.at(6.0));
+    bench.answer = AvoidanceBench.northward(5.0, 5.0);
+    routes.update(bench.at(10.0));
+
+    bench.answer = AvoidanceBench.northward(8.0, 8.0);
+    bench.see();
+    routes.update(bench.at(15.0, 2.0, 0.0));
+    assertThat(bench.requests.get(bench.requests.size() - 1).toleranceM()).isEqualTo(0.5);
+    assertThat(routes.track().orElseThrow().cost()).isEqualTo(8.0);
   }
 
   @Test

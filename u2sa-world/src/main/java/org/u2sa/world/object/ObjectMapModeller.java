@@ -321,7 +321,7 @@ public final class ObjectMapModeller implements Modeller {
         }
       }
     }
-    objects.addAll(clouds.clouds(now.micros(), tuning.forgetStanding()));
+    objects.addAll(clouds.clouds(now, tuning.forgetStanding()));
     for (ObjectDescription object : known) { // objects that cannot be converted to this frame
       if (frame.placed(object, now.vehicle()).isEmpty()) {
         objects.add(object.after(Clock.seconds(now.micros() - knownMicros)));
