@@ -48,6 +48,7 @@ class HoverTrafficTest extends PlannedVehicle {
   private double mostEastM;
   private double headingRad;
   private double stopsS = Double.POSITIVE_INFINITY; // when the traffic stops
+  private double goneS = Double.POSITIVE_INFINITY; // when it is seen no more
   private final List<ObjectDescription> objects = new ArrayList<>(); // that stand
   private final List<Double> beside = new ArrayList<>(); // distances from them [m]
 
@@ -74,7 +75,9 @@ class HoverTrafficTest extends PlannedVehicle {
     drone.x(other.x()).y(other.y()).z(other.z());
     drone.motion().velocity(kit.nowS() < stopsS ? mps : Point.ORIGIN);
     List<ObjectDescription> seen = new ArrayList<>(objects);
-    seen.add(drone);
+    if (kit.nowS() < goneS) {
+      seen.add(drone);
+    }
     kit.publish(Channels.OBJECTS, new ObjectList().objects(seen));
     kit.publish(
         Channels.STATE,
@@ -355,6 +358,24 @@ class HoverTrafficTest extends PlannedVehicle {
 
     assertThat(leastOutsideM(keepOut, radiusM, Point.of(mps, 0.0, 0.0))).isGreaterThan(0.0);
     assertThat(farthestM).as("it evades").isGreaterThan(5.0);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {24.0, 26.0, 28.0, 29.0, 30.0, 31.0, 32.0})
+  void paused_trafficVanishesDuringAnEvasion_returnsOutsideKeepOutAreas(double vanishesS) {
+    kit.with("AT END", "STOP");
+    start(5.0, 0.0);
+    Point mps = Point.of(5.0, 2.0, 0.0);
+    lead(mps, 3.0);
+    pause();
+    List<Polygon> keepOut =
+        List.of(round(at.x(), -14.0, 5.0), round(at.x(), 14.0, 5.0), round(at.x() + 16, 0, 6.0));
+    kit.publish(Channels.FENCE, new FenceState().keepIn(List.of()).keepOut(keepOut));
+    goneS = vanishesS;
+
+    assertThat(leastOutsideM(keepOut, 5.0, mps)).isGreaterThan(0.0);
+    assertThat(at.minus(held).distance()).isLessThan(2.5);
+    assertThat(logged("Exception")).isZero();
   }
 
   @Test

@@ -217,8 +217,8 @@ public final class HoverMotions {
         isFree &= kept >= least[i];
       }
     }
-    return new Outcome(
-        isFree, distance, distance + MEAN_SHARE * sum / looks, Point.of(north, east, down));
+    double mean = looks == 0 ? ROOMY : sum / looks; // its traffic has gone
+    return new Outcome(isFree, distance, distance + MEAN_SHARE * mean, Point.of(north, east, down));
   }
 
   /** Speed on the way from a position to a spot, at which it stops, and stays inside the fence. */
