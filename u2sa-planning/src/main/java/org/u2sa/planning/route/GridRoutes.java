@@ -58,7 +58,9 @@ final class GridRoutes implements RoutePlanner {
     double goalNorth = request.goalNorthM();
     double goalEast = request.goalEastM();
     if (frame.contains(goalNorth, goalEast)) {
-      int goal = costs.nearestFree(goalNorth, goalEast, request.toleranceM());
+      int goal =
+          costs.nearestFreeTowards(
+              goalNorth, goalEast, request.toleranceM(), start.northM(), start.eastM());
       if (goal < 0) {
         return Route.none(Entrances.GOAL_OCCUPIED);
       }

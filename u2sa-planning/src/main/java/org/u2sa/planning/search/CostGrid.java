@@ -14,6 +14,8 @@ public final class CostGrid {
   /** Extra cost of unknown cells compared with cells seen to be free. */
   private static final float UNKNOWN_COST = 0.3f;
 
+  private static final double TOWARDS = 0.5; // weight of the distance from a place
+
   /**
    * Points closer than this to a cell corner do not belong to any one cell unambiguously [cells].
    */
@@ -272,20 +274,48 @@ public final class CostGrid {
 
   /** Free cell nearest to a point within a distance; −1 if none. */
   public int nearestFree(double northM, double eastM, double withinM) {
+    return nearestFree(northM, eastM, withinM, northM, eastM, 0.0);
+  }
+
+  /**
+   * Free cell near a point, on the side of another place: of cells at equal distances from the
+   * point, that nearest to the place.
+   *
+   * @param withinM maximum distance from the point [m]
+   * @return −1 if none
+   */
+  public int nearestFreeTowards(
+      double northM, double eastM, double withinM, double placeNorthM, double placeEastM) {
+    return nearestFree(northM, eastM, withinM, placeNorthM, placeEastM, TOWARDS);
+  }
+
+  private int nearestFree(
+      double northM,
+      double eastM,
+      double withinM,
+      double placeNorthM,
+      double placeEastM,
+      double weight) {
     int row = frame.row(northM);
     int column = frame.column(eastM);
     int span = (int) Math.ceil(withinM / frame.cellM()) + 1;
     int best = -1;
-    double nearest = withinM;
+    double least = Double.POSITIVE_INFINITY;
     for (int r = Math.max(0, row - span); r <= Math.min(frame.rows() - 1, row + span); r++) {
       for (int c = Math.max(0, column - span);
           c <= Math.min(frame.columns() - 1, column + span);
           c++) {
         int i = frame.index(r, c);
-        double away = Math.hypot(frame.centreNorthM(i) - northM, frame.centreEastM(i) - eastM);
-        if (isFree(i) && (away < nearest || (best < 0 && away <= nearest))) {
+        double north = frame.centreNorthM(i);
+        double east = frame.centreEastM(i);
+        double away = Math.hypot(north - northM, east - eastM);
+        double sum =
+            weight == 0.0
+                ? away
+                : away + weight * Math.hypot(north - placeNorthM, east - placeEastM);
+        if (isFree(i) && away <= withinM && sum < least) {
           best = i;
-          nearest = away;
+          least = sum;
         }
       }
     }
