@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Supplier;
-import org.u2sa.planning.goals.CloserLook;
+import org.u2sa.planning.goals.GoalRecheck;
 import org.u2sa.planning.local.ArcChoice;
 import org.u2sa.planning.local.RouteTrack;
 import org.u2sa.planning.route.Route;
@@ -51,7 +51,7 @@ final class RouteKeeper {
   private int triedRevision = -1; // world revision of the last search
   private boolean triesAhead; // looks for a route that does not lead back
   private long aheadUntil; // time at which it also admits routes that do [µs]
-  private final CloserLook look = new CloserLook();
+  private final GoalRecheck look = new GoalRecheck();
   private boolean triesNearer; // the route ends short of the goal, and narrower passages are new
   private int failures; // failed searches, one after the other
   private long plannedMicros = Long.MIN_VALUE / 2;

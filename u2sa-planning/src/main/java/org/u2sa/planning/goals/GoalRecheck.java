@@ -6,7 +6,7 @@ import org.u2sa.interfaces.time.Clock;
  * Whether to go nearer to a goal to which there is no way, before it is given up: what was seen
  * there may have left, which cannot be seen from afar. Confined to the planner's thread.
  */
-public final class CloserLook {
+public final class GoalRecheck {
   private static final int MAX_LOOKS = 2; // for each goal
   private static final long WAITS_MICROS = 3 * Clock.MICROS_PER_SECOND;
   private static final long NEVER = Long.MIN_VALUE;
