@@ -1,5 +1,6 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.measurement.KnownOffset;
 import org.u2sa.estimation.measurement.Measurement;
 import org.u2sa.estimation.measurement.RepeatedSightings;
 import org.u2sa.estimation.measurement.SensedQuantity;
@@ -169,6 +170,8 @@ final class Fuser {
     }
     if (quantity == SensedQuantity.LOCAL_PLACE || quantity == SensedQuantity.LOCAL_DOWN) {
       QuantityStart.shift(s, linear, quantity, at);
+    } else if (quantity == SensedQuantity.ALTITUDE) {
+      shiftAltitude(s, m, source, at);
     }
     if (quantity.isPlace()) {
       searchHeading(s, source);
@@ -237,6 +240,14 @@ final class Fuser {
     } else if (nis > gates[linear.rows]) {
       boolean mustGiveWay = judge.gated(s, linear, source, quantity, at);
       mustGiveWay |= isHeading && isTurnDoubted(s, at);
+      boolean isOffset =
+          quantity == SensedQuantity.ALTITUDE
+              && isPressure(m)
+              && s.trust[at + SourceTrust.IS_BIASED] != 0.0
+              && judge.isSupported(s, source, quantity);
+      if (isOffset) {
+        QuantityStart.learnOffset(s, linear, at);
+      }
       if (contradiction.isOfHeading(s, quantity, at)) {
         contradiction.turnHeading(s);
         return;
@@ -291,6 +302,26 @@ final class Fuser {
       } else {
         correct(s, m, source, quantity, at, slot, runs);
       }
+    }
+  }
+
+  /** Whether an altitude is that of a barometer or depth gauge. */
+  private static boolean isPressure(Measurement m) {
+    return !m.has(SensedQuantity.PLACE) && !m.has(SensedQuantity.LOCAL_PLACE);
+  }
+
+  /**
+   * Subtracts the known offset of an altitude that is alone. Once another one returns, the
+   * covariance takes up what it lacks of the offset's uncertainty, so that it is not rejected.
+   */
+  private void shiftAltitude(FilterState s, Measurement m, int source, int at) {
+    if (isPressure(m)) {
+      boolean isAlone = !judge.isCorroborated(s, source, SensedQuantity.ALTITUDE);
+      QuantityStart.shiftKnown(s, linear, at, isAlone);
+    }
+    if (s.trust[at + SourceTrust.HAS_OFFSET] == 0.0 && trust.isAnyShifted(s)) {
+      s.p.data[(FilterState.POSITION + 2) * (FilterState.N + 1)] += s.x[FilterState.ALTITUDE_ERROR];
+      s.x[FilterState.ALTITUDE_ERROR] = 0.0;
     }
   }
 
@@ -371,9 +402,13 @@ final class Fuser {
     }
     update.apply(s, linear);
     if (quantity == SensedQuantity.ALTITUDE || quantity == SensedQuantity.LOCAL_DOWN) {
-      boolean isPressure = !m.has(SensedQuantity.PLACE) && !m.has(SensedQuantity.LOCAL_PLACE);
-      boolean isPersistent = isPressure || tuning.positionCorrelationS() > 0.0;
+      boolean isShifted = trust.isShifted(s, source, quantity);
+      boolean isPersistent = !isShifted && (isPressure(m) || tuning.positionCorrelationS() > 0.0);
       double sigma = m.sigma(quantity, 0);
+      if (!isShifted) {
+        KnownOffset.forget(s.trust, at + SourceTrust.KNOWN_OFFSET);
+        trust.endShifts(s);
+      }
       trust.claim(s, at, isPersistent ? sigma * sigma : 0.0, tuning.resetAfterS() * MICROS);
     }
     count(s, at, SourceTrust.USED);

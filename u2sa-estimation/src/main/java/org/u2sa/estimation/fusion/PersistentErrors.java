@@ -31,7 +31,7 @@ final class PersistentErrors {
 
   private static final double MEMORY = 4.0; // time constants over which a variance is learned
   private static final double LARGEST = 4.0; // limit of one error, as a multiple of the variance
-  private static final double NEW_VARIANCE = NEW_SHARE * NEW_SHARE;
+  static final double NEW_VARIANCE = NEW_SHARE * NEW_SHARE;
 
   /** Factor on the white variance that makes all of the claimed error white. */
   static final double ALL_WHITE = 1.0 / NEW_VARIANCE;

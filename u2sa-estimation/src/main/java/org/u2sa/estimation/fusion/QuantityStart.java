@@ -1,5 +1,6 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.measurement.KnownOffset;
 import org.u2sa.estimation.measurement.Measurement;
 import org.u2sa.estimation.measurement.SensedQuantity;
 
@@ -11,6 +12,8 @@ final class QuantityStart {
   private static final double AGAIN_S = 30.0;
   private static final double DISTRUST_STEP = 4.0; // factor on a variance
   private static final double MAX_DISTRUST = 1e4;
+  private static final double GONE_STREAK = 3.0; // rejected altitudes
+  private static final double GONE_AFTER_S = 1.0;
   private final FilterTuning tuning;
   private final LeverArm lever = new LeverArm();
 
@@ -30,6 +33,10 @@ final class QuantityStart {
         s.hasLocal = s.hasPlace;
         break;
       case ALTITUDE:
+        if (s.trust[at + SourceTrust.HAS_OFFSET] != 0.0) {
+          s.trust[at + SourceTrust.ALIGNED] += m.sigma(quantity, 0) * m.sigma(quantity, 0);
+        }
+        KnownOffset.forget(s.trust, at + SourceTrust.KNOWN_OFFSET);
         s.hasAltitude = false;
         break;
       case HEADING:
@@ -113,7 +120,8 @@ final class QuantityStart {
         if (s.hasAltitude) {
           return false;
         }
-        Alignment.altitude(s, m.value(quantity, 0) + lever.apartM(2), v0);
+        double known = s.trust[at + SourceTrust.OFFSET];
+        Alignment.altitude(s, m.value(quantity, 0) - known + lever.apartM(2), v0);
         return true;
       case LOCAL_PLACE:
         if (s.hasLocal || s.hasPlace || !m.isWhole(quantity)) {
@@ -180,5 +188,60 @@ final class QuantityStart {
     for (int i = 0; i < model.rows; i++) {
       model.innovation[i] -= t[at + SourceTrust.OFFSET + i];
     }
+  }
+
+  /**
+   * Subtracts the known offset of a barometer or depth gauge from its altitude while no other
+   * source measures the altitude: its value is wrong, but its changes are right.
+   *
+   * @param isAlone whether no other source's altitudes were used lately
+   */
+  static void shiftKnown(FilterState s, Linearization model, int at, boolean isAlone) {
+    double[] t = s.trust;
+    boolean isShifted = t[at + SourceTrust.HAS_OFFSET] != 0.0;
+    if (isShifted && isOffsetGone(s, model, at)) {
+      SourceTrust.shift(s, at, false);
+      KnownOffset.forget(t, at + SourceTrust.KNOWN_OFFSET);
+      isShifted = false;
+    }
+    boolean isKnown = KnownOffset.isKnown(t, at + SourceTrust.KNOWN_OFFSET);
+    if (!isShifted && isAlone && isKnown) {
+      SourceTrust.shift(s, at, true);
+      isShifted = true;
+    }
+    if (isShifted && isKnown) {
+      double altitude = s.x[FilterState.ALTITUDE];
+      t[at + SourceTrust.ALIGNED] =
+          KnownOffset.variance(t, at + SourceTrust.KNOWN_OFFSET, altitude, s.micros);
+    }
+    if (isShifted) {
+      model.shift(t[at + SourceTrust.OFFSET], 0.0);
+      model.variance[0] =
+          PersistentErrors.NEW_VARIANCE * model.variance[0] + t[at + SourceTrust.ALIGNED];
+    }
+  }
+
+  /** Learns the offset of a rejected altitude, if the estimate is better known than it claims. */
+  static void learnOffset(FilterState s, Linearization model, int at) {
+    double reference = s.variance(FilterState.POSITION + 2) + s.x[FilterState.ALTITUDE_ERROR];
+    if (reference < model.variance[0]) {
+      KnownOffset.learn(
+          s.trust,
+          at + SourceTrust.KNOWN_OFFSET,
+          model.innovation[0],
+          model.variance[0],
+          s.x[FilterState.ALTITUDE],
+          reference,
+          s.micros);
+    }
+  }
+
+  /** Whether rejected altitudes agree better without their offset, as after a corrected QNH. */
+  private static boolean isOffsetGone(FilterState s, Linearization altitude, int at) {
+    double apart = altitude.innovation[0];
+    double[] t = s.trust;
+    return t[at + SourceTrust.STREAK] >= GONE_STREAK
+        && (s.micros - t[at + SourceTrust.STREAK_SINCE]) * 1e-6 >= GONE_AFTER_S
+        && Math.abs(apart) < Math.abs(apart - t[at + SourceTrust.OFFSET]);
   }
 }

@@ -18,6 +18,7 @@ final class SourceJudge {
   private static final double KNOWN_RAD = 0.26; // sigma of a heading
   private static final double SILENT_AFTER_S = 1.0;
   private static final double SILENT_INTERVALS = 5.0;
+  private static final double LATELY_S = 1.0;
 
   private final FilterTuning tuning;
   private final SourceTrust trust;
@@ -203,9 +204,17 @@ final class SourceJudge {
     return since <= Math.max(SILENT_AFTER_S, SILENT_INTERVALS * interval);
   }
 
-  /** Whether another source's measurements of the same quantity were used recently. */
+  /**
+   * Whether another source's measurements of the same quantity were used recently. An altitude with
+   * an offset that others have shown supports nothing: they must be able to take over again.
+   */
   boolean isCorroborated(FilterState s, int source, SensedQuantity quantity) {
     return isCorroborated(s, source, quantity, s.micros - tuning.resetAfterS() * MICROS);
+  }
+
+  /** Whether they were used so recently that the estimate is still theirs. */
+  boolean isSupported(FilterState s, int source, SensedQuantity quantity) {
+    return isCorroborated(s, source, quantity, s.micros - LATELY_S * MICROS);
   }
 
   /** Whether they were used since this source's were first rejected. */
@@ -220,7 +229,8 @@ final class SourceJudge {
         SensedQuantity each = SensedQuantity.at(q);
         if (each.corroborates(quantity)
             && trust.isKnown(other, each)
-            && !(other == source && each == quantity)) {
+            && !(other == source && each == quantity)
+            && !trust.isShifted(s, other, each)) {
           double last = s.trust[trust.of(s, other, each) + SourceTrust.LAST_USED];
           if (last > 0.0 && last > afterMicros) {
             return true;

@@ -37,19 +37,29 @@ public final class SourceReports {
    * @param gated number of vectors rejected
    * @param sigmaFactor largest factor applied to its claimed standard deviations
    * @param lateS estimated delay of its positions [s]; 0 if not significant
+   * @param offsetM subtracted from its altitudes [m]
    */
   public record Report(
-      String source, Standing standing, long used, long gated, double sigmaFactor, double lateS) {
+      String source,
+      Standing standing,
+      long used,
+      long gated,
+      double sigmaFactor,
+      double lateS,
+      double offsetM) {
 
     /** Text such as "biased, used 312, gated 40, sigma x2.9, late by 0.20 s". */
     public String text() {
       return String.format(
-          "%s, used %s, gated %s, sigma x%s%s",
+          "%s, used %s, gated %s, sigma x%s%s%s",
           standing.name().toLowerCase(Locale.ROOT),
           used,
           gated,
           Math.round(10.0 * sigmaFactor) / 10.0,
-          lateS == 0.0 ? "" : ", late by " + Math.round(100.0 * lateS) / 100.0 + " s");
+          lateS == 0.0 ? "" : ", late by " + Math.round(100.0 * lateS) / 100.0 + " s",
+          offsetM == 0.0
+              ? ""
+              : ", altitude corrected by " + Math.round(-10.0 * offsetM) / 10.0 + " m");
     }
   }
 
@@ -99,7 +109,11 @@ public final class SourceReports {
       standing = Standing.SILENT;
     }
     double lateS = DelayErrors.lateS(s, source);
-    return new Report(trust.name(source), standing, used, gated, factor, lateS);
+    double offsetM =
+        trust.isShifted(s, source, SensedQuantity.ALTITUDE)
+            ? t[trust.of(s, source, SensedQuantity.ALTITUDE) + SourceTrust.OFFSET]
+            : 0.0;
+    return new Report(trust.name(source), standing, used, gated, factor, lateS, offsetM);
   }
 
   private Standing standing(int at) {

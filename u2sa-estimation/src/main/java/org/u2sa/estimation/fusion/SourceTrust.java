@@ -3,6 +3,7 @@ package org.u2sa.estimation.fusion;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.u2sa.estimation.measurement.KnownOffset;
 import org.u2sa.estimation.measurement.Measurement;
 import org.u2sa.estimation.measurement.PositionGrid;
 import org.u2sa.estimation.measurement.SensedQuantity;
@@ -46,8 +47,8 @@ final class SourceTrust {
   static final int IS_BIASED = 14;
   static final int PASSED = 15; // consecutive, while biased
   static final int RUN_START = 16; // prediction when the values stopped changing: three
-  static final int OFFSET = 19; // three in a local frame other than that of the filter
-  static final int HAS_OFFSET = 22;
+  static final int OFFSET = 19; // three in another local frame; one of a wrong altitude [m]
+  static final int HAS_OFFSET = 22; // whether it is subtracted
   static final int NIS = 23; // normalised squared innovation of the newest vector
   static final int RUN_OF = 24; // message at which the run of RUN_START began
   static final int STREAK_FIRST = 25; // first innovation of the streak: two
@@ -62,14 +63,15 @@ final class SourceTrust {
   static final int STREAK_JUMP = 38; // largest change between consecutive ones
   static final int STREAK_STEPS2 = 39; // sum of the squared changes
   static final int CLAIM = 40; // claimed variance of an altitude's persistent error [m²]
-  static final int ALIGNED = 41; // variance of the altitude that a local frame was aligned with
+  static final int ALIGNED = 41; // variance of the altitude that the offset was compared with
   static final int OUTLIERS = 42; // fraction of lone vectors beyond the gate, running mean
   static final int APART_SINCE = 43; // STREAK_SINCE of the following sums
   static final int APART_COUNT = 44; // velocities that came with positions since then
   static final int APART = 45; // sum of their differences from the estimate: two
   static final int APART_VARIANCE = 47; // sum of their variances per axis
   static final int GRID = 48; // of its coordinates, see PositionGrid
-  private static final int QUANTITY_SIZE = GRID + PositionGrid.SIZE;
+  static final int KNOWN_OFFSET = GRID + PositionGrid.SIZE; // of its altitudes
+  private static final int QUANTITY_SIZE = KNOWN_OFFSET + KnownOffset.SIZE;
 
   private static final double OUTLIER_MEMORY = 100.0; // vectors
   private static final double PRIOR = 10.0; // weight of the claim, in innovations
@@ -279,6 +281,41 @@ final class SourceTrust {
     double persistent = 1.0 / (information + 1.0 / s.trust[at + CLAIM]);
     s.x[FilterState.ALTITUDE_ERROR] =
         Math.max(0.0, persistent - s.variance(FilterState.POSITION + 2));
+  }
+
+  /** Whether an altitude is subject to an offset that was learnt from other altitudes. */
+  boolean isShifted(FilterState s, int source, SensedQuantity quantity) {
+    return quantity == SensedQuantity.ALTITUDE
+        && isKnown(source, quantity)
+        && s.trust[of(s, source, quantity) + HAS_OFFSET] != 0.0;
+  }
+
+  /** Whether that holds for any source. */
+  boolean isAnyShifted(FilterState s) {
+    boolean isAny = false;
+    for (int source = 0; source < names.size(); source++) {
+      isAny |= isShifted(s, source, SensedQuantity.ALTITUDE);
+    }
+    return isAny;
+  }
+
+  /** Subtracts known offsets no longer, because an altitude without one has been used. */
+  void endShifts(FilterState s) {
+    for (int source = 0; source < names.size(); source++) {
+      if (isShifted(s, source, SensedQuantity.ALTITUDE)) {
+        shift(s, of(s, source, SensedQuantity.ALTITUDE), false);
+      }
+    }
+  }
+
+  /** Subtracts the known offset of an altitude from now on, or no longer. */
+  static void shift(FilterState s, int at, boolean isOn) {
+    double[] t = s.trust;
+    t[at + HAS_OFFSET] = isOn ? 1.0 : 0.0;
+    t[at + OFFSET] = isOn ? KnownOffset.metres(t, at + KNOWN_OFFSET) : 0.0;
+    t[at + ALIGNED] = 0.0;
+    t[at + STREAK] = 0.0;
+    t[at + HAS_PREVIOUS] = 0.0;
   }
 
   static void notedNis(FilterState s, int at, double nis) {
