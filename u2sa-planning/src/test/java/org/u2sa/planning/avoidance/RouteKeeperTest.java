@@ -159,13 +159,17 @@ class RouteKeeperTest {
     assertThat(bench.said).containsExactly("no route with room to turn: trying narrower passages");
   }
 
-  /** What stood there when it was last seen may have left. */
-  @Test
-  void update_noRouteForAWhile_leadsNearTheGoalToLookWhetherThatIsSo() {
+  private void findNoRoute() {
     bench.answer = Route.none("the goal is occupied");
     bench.see(AvoidanceBench.post(8.0, 0.0));
     routes.update(bench.at(5.0));
     routes.update(bench.at(6.0));
+  }
+
+  /** What stood there when it was last seen may have left. */
+  @Test
+  void update_noRouteForAWhile_leadsNearTheGoalToLookWhetherThatIsSo() {
+    findNoRoute();
     assertThat(routes.track()).isEmpty();
 
     bench.answer = AvoidanceBench.northward(5.0, 5.0);
@@ -184,10 +188,7 @@ class RouteKeeperTest {
 
   @Test
   void update_onItsWayToLookAndTheGoalIsFree_leadsToTheGoal() {
-    bench.answer = Route.none("the goal is occupied");
-    bench.see(AvoidanceBench.post(8.0, 0.0));
-    routes.update(bench.at(5.0));
-    routes.update(bench.at(6.0));
+    findNoRoute();
     bench.answer = AvoidanceBench.northward(5.0, 5.0);
     routes.update(bench.at(10.0));
 

@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
+import javax.imageio.plugins.tiff.BaselineTIFFTagSet;
 import javax.imageio.plugins.tiff.TIFFDirectory;
 import javax.imageio.plugins.tiff.TIFFField;
 import javax.imageio.plugins.tiff.TIFFImageReadParam;
@@ -108,15 +109,13 @@ final class GeoTiff {
             width + " by " + height + " pixels; expected 2 to " + MAX_SIDE + " each way");
       }
       requireRoom(width, height, Runtime.getRuntime().maxMemory());
+      requireOneBand(TIFFDirectory.createFromMetadata(reader.getImageMetadata(0)));
       stream.seek(0);
       reader.setInput(stream, true, false); // reads all tags again, unknown ones too
       TIFFImageReadParam parameters = new TIFFImageReadParam();
       parameters.setReadUnknownTags(true);
       Raster raster = reader.read(0, parameters).getRaster();
       TIFFDirectory tags = TIFFDirectory.createFromMetadata(reader.getImageMetadata(0));
-      if (raster.getNumBands() != 1) {
-        throw new IOException(raster.getNumBands() + " bands; expected one");
-      }
       return new GeoTiff(raster, tags);
     } catch (EOFException e) {
       throw new IOException("ends too early", e);
@@ -126,6 +125,15 @@ final class GeoTiff {
       throw new IOException("is damaged" + why, e);
     } finally {
       reader.dispose();
+    }
+  }
+
+  /** Checks the number of bands, before memory is taken for each. */
+  private static void requireOneBand(TIFFDirectory tags) throws IOException {
+    TIFFField samples = tags.getTIFFField(BaselineTIFFTagSet.TAG_SAMPLES_PER_PIXEL);
+    int bands = samples == null ? 1 : samples.getAsInt(0);
+    if (bands != 1) {
+      throw new IOException(bands + " bands; expected one");
     }
   }
 

@@ -29,6 +29,7 @@ class GeoTiffTest {
 
   @TempDir private Path folder;
   private String noData = "-9999";
+  private int bands = 1;
 
   private record Tag(int id, int type, int count, byte[] data) {}
 
@@ -67,7 +68,7 @@ class GeoTiffTest {
     tags.add(shorts(259, 1));
     tags.add(shorts(262, 1));
     tags.add(longs(273, 8));
-    tags.add(shorts(277, 1));
+    tags.add(shorts(277, bands));
     tags.add(shorts(278, SIZE));
     tags.add(longs(279, strip));
     tags.add(shorts(339, 3));
@@ -177,6 +178,17 @@ class GeoTiffTest {
     Path empty = write(holes, 10.0, Point.of(here.x() - 200.0, here.y() + 200.0, 0.0), 1, 32_632);
     assertThatThrownBy(() -> GeoTiff.read(empty, new LocalPlane(ORIGIN), 100.0, 80.0))
         .hasMessageContaining("has no height in column");
+  }
+
+  /** The file has the data of one: it is not decoded. */
+  @Test
+  void read_manyBands_isRefusedBeforeTheyAreRead() throws IOException {
+    bands = 20;
+    Path many = write(slope(), 10.0, Point.of(0.0, 0.0, 0.0), 1, 32_632);
+
+    assertThatThrownBy(() -> GeoTiff.read(many, new LocalPlane(ORIGIN), 100.0, 80.0))
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContaining("dem.tif: height map: 20 bands; expected one");
   }
 
   /** GDAL writes these in lower case. */
