@@ -9,6 +9,8 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectList;
@@ -64,14 +66,15 @@ class PointCloudsTest {
   }
 
   /** Readers accept lists of 1 MiB: a longer one would not arrive at all. */
-  @Test
-  void objects_morePointsThanAListTakes_theNearestStay() {
+  @ParameterizedTest
+  @CsvSource({"50, 0.01", "0.1, 0"}) // far away, and close above the vehicle
+  void objects_morePointsThanAListTakes_othersStayWhole(double nearM, double stepM) {
     world.kit.with("MODELLERS", "OBJECTS").start(WorldModeler::new);
     ObjectDescription[] clouds = new ObjectDescription[6];
     for (int sensor = 0; sensor < 5; sensor++) {
       List<Point> far = new ArrayList<>();
       for (int i = 0; i < 9_950; i++) {
-        far.add(Point.of(50.0 + 0.01 * i, 30.0 * sensor, -20.0));
+        far.add(Point.of(nearM + stepM * i, 0.0, -3.0));
       }
       clouds[sensor] = cloud("Far " + sensor, far.toArray(new Point[0]));
     }
@@ -87,8 +90,11 @@ class PointCloudsTest {
             .findAny()
             .orElseThrow();
     assertThat(wall.points()).hasSize(wallBeside(0.0).points().size());
+    for (ObjectDescription object : list.objects()) {
+      assertThat(object.distanceTo(Point.ORIGIN)).as("its nearest point").isLessThan(51.0);
+    }
     world.stand(20);
-    assertThat(world.remarks()).contains("points too far away left out");
+    assertThat(world.remarks()).contains("points left out");
   }
 
   @Test

@@ -38,8 +38,7 @@ class PingFloodTest {
   }
 
   @Test
-  void pings_aWholeRead_areAnsweredInOnePacketAndTheRestWaits() {
-    client.read();
+  void pings_aWholeRead_aFewAreAnsweredAndTheRestWaits() {
     client.sentPackets();
     ping(BrokerLimits.READ_AT_ONCE / 2);
 

@@ -32,7 +32,9 @@ public final class KnownOffset {
    * @param at index of the source's numbers, initially 0
    * @param offset measured less known altitude [m]
    * @param claim claimed variance of the measured altitude [m²]
+   * @param altitude known altitude [m]
    * @param reference variance of the known altitude [m²]
+   * @param micros time of the measurement [µs]
    */
   public static void learn(
       double[] t,
@@ -76,6 +78,9 @@ public final class KnownOffset {
   /**
    * Variance of an altitude corrected by the offset [m²]: it grows with time, because of the
    * weather, and with the height climbed since, because of the air's temperature.
+   *
+   * @param altitude present altitude [m]
+   * @param micros present time [µs]
    */
   public static double variance(double[] t, int at, double altitude, double micros) {
     double weather = WEATHER_MPS * (micros - t[at + MICROS]) * 1e-6;

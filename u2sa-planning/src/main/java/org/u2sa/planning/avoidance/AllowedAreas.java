@@ -43,25 +43,12 @@ final class AllowedAreas {
             .map(Polygon::referenceFrame)
             .anyMatch(frame -> onEarth ? !frame.equals(ReferenceFrame.GLOBAL) : !frame.isLocal());
     return isForeign
-        ? new Nowhere()
+        ? new Area.Uniform(false)
         : new Inside(outlines(keepIn, state), outlines(keepOut, state), at);
   }
 
   private List<PlanarShape> outlines(List<Polygon> areas, StateInformation state) {
     return areas.stream().map(area -> world.outline(area, state)).collect(Collectors.toList());
-  }
-
-  /** Nothing is allowed. */
-  private static final class Nowhere implements Area {
-    @Override
-    public boolean contains(double northM, double eastM) {
-      return false;
-    }
-
-    @Override
-    public boolean allows(double northM, double eastM, double toNorthM, double toEastM) {
-      return false;
-    }
   }
 
   /** Inside one of the outer areas, if there are any, and outside the inner ones. */

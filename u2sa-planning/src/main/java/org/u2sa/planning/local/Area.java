@@ -7,4 +7,21 @@ public interface Area {
 
   /** Whether a straight way stays in it or, from outside, leads towards it at once [m]. */
   boolean allows(double northM, double eastM, double toNorthM, double toEastM);
+
+  /**
+   * Everywhere, or nowhere.
+   *
+   * @param isEverywhere whether it contains every position
+   */
+  record Uniform(boolean isEverywhere) implements Area {
+    @Override
+    public boolean contains(double northM, double eastM) {
+      return isEverywhere;
+    }
+
+    @Override
+    public boolean allows(double northM, double eastM, double toNorthM, double toEastM) {
+      return isEverywhere;
+    }
+  }
 }

@@ -32,7 +32,7 @@ public final class HoverMotions {
   private static final double CHANGE_M = 10.0; // by which another free spot must be nearer
   private static final double ROOMY = 1.5; // distances beyond it are not distinguished
   private static final double MEAN_SHARE = 0.1;
-  private static final double ASTRAY = 10.0; // price of a spot from which it cannot return
+  private static final double ASTRAY = 10.0; // cost of a spot from which it cannot return
   private static final double AT_PLACE_M = 1.0; // shorter ways are always free
   private static final double CLEARLY = 0.05; // difference of distances that justifies a change
 

@@ -8,6 +8,8 @@ import java.util.Optional;
  * or of an area. Immutable.
  */
 public final class PlanarShape {
+  private static final double TOUCHES_M = 1.0e-3;
+
   public enum Kind {
     /** Isolated points. */
     POINTS,
@@ -192,10 +194,11 @@ public final class PlanarShape {
     return inside;
   }
 
-  /** Whether a straight way crosses its outline. */
+  /** Whether a straight way crosses its outline, or touches one of its corners. */
   public boolean isCrossedBy(double north, double east, double toNorth, double toEast) {
     for (int i = 0, j = norths.length - 1; i < norths.length; j = i++) {
-      if (cross(north, east, toNorth, toEast, norths[j], easts[j], norths[i], easts[i])) {
+      if (cross(north, east, toNorth, toEast, norths[j], easts[j], norths[i], easts[i])
+          || segmentM(norths[i], easts[i], north, east, toNorth, toEast) < TOUCHES_M) {
         return true;
       }
     }

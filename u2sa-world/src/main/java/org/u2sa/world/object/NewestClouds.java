@@ -1,7 +1,7 @@
 package org.u2sa.world.object;
 
 import java.util.ArrayList;
-import java.util.Arrays;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -52,8 +52,9 @@ final class NewestClouds {
   }
 
   /**
-   * Clouds with at least one point and at most this age; 0: of any age. Of too many points, those
-   * nearest to the vehicle.
+   * Clouds with at least one point and at most this age; 0: of any age. Of too many points, each
+   * sensor has the same share, and keeps its nearest ones: otherwise one sensor with many points
+   * would hide what the others see.
    */
   List<PointCloud> clouds(Sighting now, double forgetS) {
     if (forgetS > 0.0) {
@@ -65,37 +66,38 @@ final class NewestClouds {
         clouds.add(seen.cloud());
       }
     }
-    int points = clouds.stream().mapToInt(cloud -> cloud.points().size()).sum();
-    left = Math.max(0, points - MAX_POINTS);
-    return left == 0 ? clouds : nearest(clouds, now);
+    int all = clouds.stream().mapToInt(cloud -> cloud.points().size()).sum();
+    left = Math.max(0, all - MAX_POINTS);
+    return left == 0 ? clouds : reduced(clouds, now);
   }
 
-  private static List<PointCloud> nearest(List<PointCloud> clouds, Sighting now) {
+  /** Small clouds are whole; the others share what these leave. */
+  private static List<PointCloud> reduced(List<PointCloud> clouds, Sighting now) {
+    List<PointCloud> bySize = new ArrayList<>(clouds);
+    bySize.sort(Comparator.comparingInt(cloud -> cloud.points().size()));
+    List<PointCloud> reduced = new ArrayList<>();
+    int room = MAX_POINTS;
+    for (int i = 0; i < bySize.size(); i++) {
+      PointCloud cloud = bySize.get(i);
+      int share = Math.min(cloud.points().size(), room / (bySize.size() - i));
+      room -= share;
+      reduced.add(nearest(cloud, share, now));
+    }
+    return reduced;
+  }
+
+  private static PointCloud nearest(PointCloud cloud, int count, Sighting now) {
+    if (count == cloud.points().size()) {
+      return cloud;
+    }
     Point here =
         now.vehicle()
             .map(at -> Point.of(at.x().orElse(0.0), at.y().orElse(0.0), at.z().orElse(0.0)))
             .orElse(Point.ORIGIN);
-    List<double[]> awayM = new ArrayList<>();
-    for (PointCloud cloud : clouds) {
-      Metric metric = Metric.around(cloud.referenceFrame(), here);
-      awayM.add(
-          cloud.points().stream().mapToDouble(each -> metric.metres(each).distance()).toArray());
-    }
-    double[] sorted = awayM.stream().flatMapToDouble(Arrays::stream).sorted().toArray();
-    double limitM = sorted[MAX_POINTS];
-    List<PointCloud> near = new ArrayList<>();
-    for (int i = 0; i < clouds.size(); i++) {
-      List<Point> kept = new ArrayList<>();
-      for (int k = 0; k < awayM.get(i).length; k++) {
-        if (awayM.get(i)[k] < limitM) {
-          kept.add(clouds.get(i).points().get(k));
-        }
-      }
-      if (!kept.isEmpty()) {
-        near.add(((PointCloud) clouds.get(i).copy()).points(kept));
-      }
-    }
-    return near;
+    Metric metric = Metric.around(cloud.referenceFrame(), here);
+    List<Point> near = new ArrayList<>(cloud.points());
+    near.sort(Comparator.comparingDouble(point -> metric.metres(point).distance()));
+    return ((PointCloud) cloud.copy()).points(List.copyOf(near.subList(0, count)));
   }
 
   void clear() {
@@ -105,6 +107,6 @@ final class NewestClouds {
   String remark() {
     return (bySensor.isEmpty() ? "" : ", clouds of " + bySensor.size() + " scanners")
         + (refused == 0 ? "" : ", " + refused + " clouds rejected")
-        + (left == 0 ? "" : ", " + left + " points too far away left out");
+        + (left == 0 ? "" : ", " + left + " points left out");
   }
 }
