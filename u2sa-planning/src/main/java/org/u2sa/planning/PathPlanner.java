@@ -277,7 +277,7 @@ public class PathPlanner extends EventDrivenService {
   private void onState(StateInformation state) {
     stateMicros = clock().micros();
     if (Vehicle.of(state).isPresent()) {
-      avoidance.see(Vehicle.of(state).get());
+      avoidance.see(Vehicle.of(state).get(), state);
       plan(state, false);
     } else {
       remarks.complain(

@@ -144,9 +144,13 @@ public final class Avoidance {
     hover = new HoverEvasion(world, climbing, settings, lines, say);
   }
 
-  /** Estimates the drift of the vehicle, whatever its goal. */
-  public void see(Vehicle vehicle) {
+  /** Estimates the drift of the vehicle and records where it is, whatever its goal. */
+  public void see(Vehicle vehicle, StateInformation state) {
     drift.see(vehicle);
+    if (isOn() && settings.get().reverses()) {
+      lieOn(world.plane(state));
+      world.pass(body(settings.get()), vehicle.on(plane), vehicle.headingRad());
+    }
   }
 
   public boolean isOn() {

@@ -95,11 +95,9 @@ final class RouteKeeper {
     triedRevision = -1;
   }
 
-  /** Whether the ground where a motion ends was never seen. */
+  /** Whether the ground where a motion ends was neither seen nor passed. */
   boolean endsUnseen(ArcChoice choice) {
-    CostGrid costs = world.costs();
-    int cell = costs.frame().indexAt(choice.northM(), choice.eastM());
-    return cell >= 0 && costs.isUnknown(cell);
+    return world.costs().isUnseen(choice.northM(), choice.eastM());
   }
 
   /**

@@ -45,6 +45,9 @@ public final class HybridAStar {
    */
   private static final double GREED = 1.3;
 
+  /** Extra cost of a metre in reverse over ground that was never seen: it may be occupied. */
+  private static final double UNSEEN_PENALTY = 10.0;
+
   private static final double ALIGNED_RAD = Math.toRadians(5.0);
 
   /** Moves: curvature as a fraction of the maximum, and whether they reverse. */
@@ -272,11 +275,15 @@ public final class HybridAStar {
   private double cost(Pose from, Pose end, double lengthM, double curvature) {
     int parts = Math.max(1, (int) Math.ceil(Math.abs(lengthM) / grid.frame().cellM()));
     double sum = 0.0;
+    int unseen = 0;
     for (int k = 1; k <= parts; k++) {
       Pose at = k == parts ? end : from.along(lengthM * k / parts, curvature);
       double clearance = body.clearanceM(grid, at.northM(), at.eastM(), at.headingRad());
       if (clearance < required(at)) {
         return Double.POSITIVE_INFINITY;
+      }
+      if (lengthM < 0.0 && body.isRearUnseen(grid, at.northM(), at.eastM(), at.headingRad())) {
+        unseen++;
       }
       double here = grid.cost(at.northM(), at.eastM());
       sum += here == Double.POSITIVE_INFINITY ? 1.0 + grid.inflation().weight() : here;
@@ -284,6 +291,7 @@ public final class HybridAStar {
     double dislike =
         1.0
             + (lengthM < 0.0 ? motion.reversePenalty() : 0.0)
+            + UNSEEN_PENALTY * unseen / parts
             + motion.turnPenalty() * Math.abs(curvature) * motion.radiusM();
     return dislike * Math.abs(lengthM) * sum / parts;
   }

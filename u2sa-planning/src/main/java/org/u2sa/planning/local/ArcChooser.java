@@ -22,6 +22,7 @@ public final class ArcChooser {
   private static final double SAME_M = 0.005;
   private static final double ROOMIER_M = 0.005; // difference in mean distance that matters
   private static final double SLOWEST = 0.4; // fraction of the speed, close to a route
+  private static final double UNSEEN_MPS = 0.3; // in reverse, where nobody knows what is there
   private static final double STILL_MPS = 0.1; // slower drift does not matter
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
@@ -34,6 +35,7 @@ public final class ArcChooser {
   private final Evasion evasion;
   private final TurnRoom turnRoom;
   private final boolean backsOut; // already makes room in reverse
+  private final boolean goesBack; // was in reverse
   private final Optional<VerticalRoom> room;
   private final Optional<SteeredChoice> drifting; // drift of a boat carried by wind and current
 
@@ -65,6 +67,7 @@ public final class ArcChooser {
     boolean makesRoom =
         before.filter(choice -> choice.kind() == ArcChoice.Kind.MAKE_ROOM).isPresent();
     backsOut = makesRoom && before.get().backwards();
+    goesBack = before.filter(ArcChoice::backwards).isPresent();
     turnRoom = new TurnRoom(costs, body, limits, pose, speedMps, makesRoom);
     VerticalRoom heights = room.orElse(null);
     TrafficForecast traffic = new TrafficForecast(movers, body, limits, pose, nowMicros, heights);
@@ -127,7 +130,7 @@ public final class ArcChooser {
             limits.stops()
                 ? allowed > 0.0 && (last || outcome.freeM() >= ahead)
                 : outcome.freeM() == NEVER;
-        double safe = Math.min(speed, allowed);
+        double safe = Math.min(speed, Math.min(allowed, unseenMps(outcome)));
         if (free && outcome.meetsS() >= limits.horizonS()) {
           if (outcome.lacksM() < CLEARLY_MORE * leastLacksM - SAME_M) {
             leastLacksM = outcome.lacksM();
@@ -149,6 +152,12 @@ public final class ArcChooser {
       }
     }
     return roomiest == null ? evade(track) : roomiest;
+  }
+
+  /** Maximum speed of a route in reverse, over ground that may not have been seen [m/s]. */
+  private double unseenMps(Outcome outcome) {
+    double seen = limits.stoppableMps(outcome.seenM() - costs.frame().cellM());
+    return Math.max(UNSEEN_MPS, seen);
   }
 
   /** Speed to follow a route closely, with the usual look-ahead time [m/s]. */
@@ -192,7 +201,7 @@ public final class ArcChooser {
     if (turnRoom.standsFirst()) {
       return stand(standing);
     }
-    ArcChoice out = backOut(2.0 * body.circleM());
+    ArcChoice out = backOut(2.0 * body.circleM(), true);
     return out.kind() == ArcChoice.Kind.EVADE ? out.as(ArcChoice.Kind.MAKE_ROOM) : out;
   }
 
@@ -256,35 +265,68 @@ public final class ArcChooser {
   }
 
   /**
-   * Chooses the longest free path in reverse or, if necessary, forward, to leave a corner; if there
-   * is none, acts as {@link #withoutRoute()}, because traffic may come while the vehicle waits.
+   * Chooses the longest free path in reverse or, if necessary, forward, to leave a corner. Without
+   * one it backs over ground that was never seen or, if that is not possible either, acts as {@link
+   * #withoutRoute()}, because traffic may come while the vehicle waits.
    */
   public ArcChoice backOut(double wayM) {
-    return longest(wayM, limits.reverses());
+    return backOut(wayM, goesBack);
+  }
+
+  /**
+   * @param blind whether it prefers unseen ground in reverse to the way ahead
+   */
+  private ArcChoice backOut(double wayM, boolean blind) {
+    LongestWay way = new LongestWay(wayM);
+    if (limits.reverses()) {
+      way.look(true, false);
+      if (blind && way.best == null) {
+        way.look(true, true);
+      }
+    }
+    if (way.best == null || !backsOut) { // a longer way ahead would make it go to and fro
+      way.look(false, false);
+    }
+    if (limits.reverses() && way.best == null) {
+      way.look(true, true);
+    }
+    return way.best == null ? withoutRoute() : way.best;
   }
 
   /** Like {@link #backOut}, but forward only. */
   public ArcChoice ahead(double wayM) {
-    return longest(wayM, false);
+    LongestWay way = new LongestWay(wayM);
+    way.look(false, false);
+    return way.best == null ? withoutRoute() : way.best;
   }
 
   /** The longest arc or, among those that are about as long, one that keeps clearly more room. */
-  private ArcChoice longest(double wayM, boolean canReverse) {
-    ArcChoice best = null;
-    double most = 0.1 * wayM;
-    double roomM = 0.0;
-    for (int direction = canReverse ? 1 : 0; direction >= 0 && most < wayM; direction--) {
-      if (best != null && backsOut) {
-        break; // a longer way ahead would make it go to and fro
+  private final class LongestWay {
+    private final double wayM;
+    private ArcChoice best;
+    private double most;
+    private double roomM;
+
+    LongestWay(double wayM) {
+      this.wayM = wayM;
+      most = 0.1 * wayM;
+    }
+
+    /**
+     * @param blind whether it may lead over unseen ground, slowly
+     */
+    void look(boolean backwards, boolean blind) {
+      if (most >= wayM) {
+        return;
       }
-      boolean backwards = direction == 1;
       for (int side = 0; side <= 2 * FAN; side++) {
         int k = (side % 2 == 0 ? 1 : -1) * ((side + 1) / 2); // straight first
         double curvature = limits.tightest() * k / FAN;
         double speed = Math.min(0.5 * limits.speedMps(), limits.mps(backwards));
         Outcome outcome = forecast.play(Motion.arc(curvature, backwards, speed, wayM));
-        double free = Math.min(wayM, outcome.freeM());
-        double safe = Math.min(speed, limits.stoppableMps(outcome.freeM() - costs.frame().cellM()));
+        double untilM = blind ? outcome.freeM() : outcome.freeAndSeenM();
+        double free = Math.min(wayM, untilM);
+        double safe = Math.min(speed, limits.stoppableMps(untilM - costs.frame().cellM()));
         if (safe <= 0.0 || outcome.meetsS() < limits.horizonS() || free < most - SAME_M) {
           continue;
         }
@@ -294,21 +336,16 @@ public final class ArcChooser {
         boolean isRoomier =
             best != null
                 && best.backwards() == backwards
-                && isSeen(end)
+                && !costs.isUnseen(end.northM(), end.eastM())
                 && thereM > roomM + ROOMIER_M;
         if (isLonger || isRoomier) {
           most = Math.max(most, free);
           roomM = thereM;
-          best = new ArcChoice(end.northM(), end.eastM(), safe, backwards, ArcChoice.Kind.EVADE);
+          double mps = blind ? Math.min(safe, unseenMps(outcome)) : safe;
+          best = new ArcChoice(end.northM(), end.eastM(), mps, backwards, ArcChoice.Kind.EVADE);
         }
       }
     }
-    return best == null ? withoutRoute() : best;
-  }
-
-  private boolean isSeen(Pose at) {
-    int cell = costs.frame().indexAt(at.northM(), at.eastM());
-    return cell >= 0 && !costs.isUnknown(cell);
   }
 
   private boolean turnsTo(double north, double east, boolean backwards) {

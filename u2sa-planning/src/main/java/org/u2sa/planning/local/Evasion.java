@@ -242,7 +242,7 @@ final class Evasion {
       Motion ending = motion.endingAt(end * reachM);
       Pose to = end(ending);
       Outcome outcome = forecast.play(ending);
-      double allowed = limits.stoppableMps(outcome.freeM() - keptM);
+      double allowed = limits.stoppableMps(outcome.freeAndSeenM() - keptM);
       boolean free = limits.stops() ? allowed >= 0.5 * motion.speedMps() : outcome.freeM() == NEVER;
       ArcChoice choice =
           new ArcChoice(

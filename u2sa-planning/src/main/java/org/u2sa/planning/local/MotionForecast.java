@@ -34,9 +34,22 @@ final class MotionForecast {
    * @param nearestS time of that minimum [s]; 0 without traffic
    * @param roomM mean distance to traffic in that time, up to {@link TrafficForecast#ROOMY_M} [m]
    * @param lacksM shortfall of the preferred distance to static obstacles: RMS along the path [m]
+   * @param seenM in reverse, distance to the first ground that was neither seen nor passed [m];
+   *     infinite if none
    */
   record Outcome(
-      double freeM, double meetsS, double gapM, double nearestS, double roomM, double lacksM) {}
+      double freeM,
+      double meetsS,
+      double gapM,
+      double nearestS,
+      double roomM,
+      double lacksM,
+      double seenM) {
+    /** Distance to the first static obstacle or, in reverse, unseen ground [m]. */
+    double freeAndSeenM() {
+      return Math.min(freeM, seenM);
+    }
+  }
 
   MotionForecast(
       CostGrid costs,
@@ -126,7 +139,8 @@ final class MotionForecast {
         among.gapM(),
         among.nearestS(),
         among.roomM(),
-        alone.lacksM());
+        alone.lacksM(),
+        alone.seenM());
   }
 
   /**
@@ -178,6 +192,9 @@ final class MotionForecast {
         double clearance = clearanceM(at);
         if (limits.preferredM() > 0.0) {
           tally.keep(limits.preferredM() - clearance, step);
+        }
+        if (motion.backwards() && tally.seenM == NEVER && isRearUnseen(at)) {
+          tally.seenM = Math.max(0.0, gone - step);
         }
         if (clearance < requiredM || inside > 0.0 && inside(at) > inside) {
           freeM = Math.max(0.0, gone - step);
@@ -284,6 +301,10 @@ final class MotionForecast {
     return body.shareInside(costs, at.northM(), at.eastM(), at.headingRad());
   }
 
+  private boolean isRearUnseen(Pose at) {
+    return body.isRearUnseen(costs, at.northM(), at.eastM(), at.headingRad());
+  }
+
   private double clearanceM(Pose at) {
     return body.clearanceM(costs, at.northM(), at.eastM(), at.headingRad(), enoughM);
   }
@@ -295,6 +316,7 @@ final class MotionForecast {
     private double nearestS;
     private double roomM;
     private int looks; // one for each step
+    private double seenM = NEVER;
     private double lacked; // squared shortfall integrated along the path [m³]
     private double way;
 
@@ -320,7 +342,7 @@ final class MotionForecast {
     Outcome outcome(double freeM) {
       double room = looks == 0 ? TrafficForecast.ROOMY_M : roomM / looks;
       double lacksM = way == 0.0 ? 0.0 : Math.sqrt(lacked / way);
-      return new Outcome(freeM, meetsS, gapM, nearestS, room, lacksM);
+      return new Outcome(freeM, meetsS, gapM, nearestS, room, lacksM, seenM);
     }
   }
 }

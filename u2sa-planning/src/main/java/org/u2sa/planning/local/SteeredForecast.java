@@ -30,7 +30,8 @@ final class SteeredForecast {
   /**
    * Predicted outcome.
    *
-   * @param isFree whether it keeps its distance from obstacles and traffic
+   * @param isFree whether it keeps its distance from obstacles and traffic and, in reverse, stays
+   *     over water that was seen or passed
    * @param touchesS time of the first collision [s]; infinite if none
    * @param leastM minimum distance to obstacles and traffic until then [m]
    * @param end pose at the end or on arrival
@@ -99,7 +100,7 @@ final class SteeredForecast {
       if (clearance < requiredM || gap < 0.0) {
         return new Outcome(false, t, least, end == null ? at : end);
       }
-      isFree = isFree && !traffic.meets(0.0, step, t);
+      isFree = isFree && !traffic.meets(0.0, step, t) && !(backwards && isRearUnseen(at));
       if (end == null && speedMps > 0.0 && at.distanceM(northM, eastM) < ARRIVED_M) {
         end = at;
       }
@@ -114,6 +115,10 @@ final class SteeredForecast {
     boolean isFaster = wantedMps * throughMps >= 0.0;
     double most = STEP_S * (isFaster ? limits.accelerationMps2() : limits.brakingMps2());
     return Math.max(-most, Math.min(most, wantedMps));
+  }
+
+  private boolean isRearUnseen(Pose at) {
+    return body.isRearUnseen(costs, at.northM(), at.eastM(), at.headingRad());
   }
 
   private double clearanceM(Pose at) {

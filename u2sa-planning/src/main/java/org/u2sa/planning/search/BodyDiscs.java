@@ -10,6 +10,11 @@ import java.util.function.DoubleUnaryOperator;
 public final class BodyDiscs {
   private static final double[] AXIS = {0.0};
 
+  private static final double EDGE_M = 0.25; // spacing of points along the rear
+
+  private final double frontM;
+  private final double rearM;
+  private final double halfWidthM;
   private final double[] ahead; // ahead of the reference point [m]
   private final double radiusM;
   private final double circleM;
@@ -26,6 +31,9 @@ public final class BodyDiscs {
 
   private BodyDiscs(double frontM, double rearM, double widthM, CloseCover close) {
     this.close = close;
+    this.frontM = frontM;
+    this.rearM = rearM;
+    halfWidthM = 0.5 * widthM;
     double length = frontM + rearM;
     int count = Math.max(1, (int) Math.ceil(length / widthM));
     ahead = new double[count];
@@ -64,6 +72,35 @@ public final class BodyDiscs {
   /** Radius of the circle around the reference point that the vehicle sweeps as it turns [m]. */
   public double circleM() {
     return circleM;
+  }
+
+  /**
+   * Whether the vehicle covers a point.
+   *
+   * @param forwardM forward of the reference point [m]
+   * @param rightM right of it [m]
+   * @param marginM distance from the vehicle that counts as covered [m]
+   */
+  boolean covers(double forwardM, double rightM, double marginM) {
+    return forwardM <= frontM + marginM
+        && forwardM >= -rearM - marginM
+        && Math.abs(rightM) <= halfWidthM + marginM;
+  }
+
+  /** Whether a part of the vehicle's rear is above ground that was neither seen nor passed. */
+  public boolean isRearUnseen(CostGrid grid, double northM, double eastM, double headingRad) {
+    double cos = Math.cos(headingRad);
+    double sin = Math.sin(headingRad);
+    int parts = Math.max(1, (int) Math.ceil(2.0 * halfWidthM / EDGE_M));
+    for (int i = 0; i <= parts; i++) {
+      double right = halfWidthM * (2.0 * i / parts - 1.0);
+      double north = northM - rearM * cos - right * sin;
+      double east = eastM - rearM * sin + right * cos;
+      if (grid.isUnseen(north, east)) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** Clearance of the discs [m], possibly underestimated above a cell; negative if they touch. */

@@ -37,6 +37,7 @@ public final class CostGrid {
   private final DistanceField distances;
   private final float[] costAt; // cost of a seen cell, by squared distance
   private final int[] changedAt; // by row: newest revision that may have changed a cost
+  private final PassedGround passed;
   private int revision;
 
   public CostGrid(GridFrame frame, Inflation inflation) {
@@ -45,6 +46,7 @@ public final class CostGrid {
     states = new byte[frame.cells()];
     cost = new float[frame.cells()];
     changedAt = new int[frame.rows()];
+    passed = new PassedGround(frame);
     Arrays.fill(cost, 1.0f);
     int reach = (int) Math.ceil(inflation.reachM() / frame.cellM()) + 1;
     distances = new DistanceField(frame.rows(), frame.columns(), reach);
@@ -180,6 +182,17 @@ public final class CostGrid {
   /** Whether a cell was never seen. */
   public boolean isUnknown(int index) {
     return (states[index] & UNKNOWN) != 0;
+  }
+
+  /** Ground on which the vehicle has been. */
+  public PassedGround passed() {
+    return passed;
+  }
+
+  /** Whether the cell of a point was neither seen nor passed; false outside. */
+  public boolean isUnseen(double northM, double eastM) {
+    int cell = frame.indexAt(northM, eastM);
+    return cell >= 0 && isUnknown(cell) && !passed.contains(cell);
   }
 
   /** Whether the vehicle's centre may be in a cell. */

@@ -13,6 +13,7 @@ import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.shape.MovingSphere;
+import org.u2sa.planning.search.BodyDiscs;
 import org.u2sa.planning.search.CostGrid;
 import org.u2sa.planning.search.GridFrame;
 import org.u2sa.planning.search.Inflation;
@@ -225,6 +226,17 @@ public final class SeenWorld {
     return revision;
   }
 
+  /**
+   * Called where the vehicle is.
+   *
+   * @param at position on the plane: north, east [m]
+   */
+  public void pass(BodyDiscs body, Point at, double headingRad) {
+    if (costs != null) {
+      costs.passed().add(body, at.x(), at.y(), headingRad);
+    }
+  }
+
   /** Cost window, as of the last {@link #update}. */
   public CostGrid costs() {
     return costs;
@@ -307,7 +319,11 @@ public final class SeenWorld {
       double north = now.cellM() * Math.rint((northM - half) / now.cellM());
       double east = now.cellM() * Math.rint((eastM - half) / now.cellM());
       int cells = (int) Math.ceil(now.spanM() / now.cellM());
+      CostGrid before = costs;
       costs = new CostGrid(new GridFrame(north, east, now.cellM(), cells, cells), now.inflation());
+      if (before != null) {
+        costs.passed().addAll(before.passed());
+      }
       costsRead = now;
     }
     boolean different = costs.update(states(now)) != null;

@@ -69,6 +69,32 @@ class HybridAStarProperties {
     assertThat(way.samples()).anyMatch(Curve.Sample::backwards);
   }
 
+  @Test
+  void plan_goalBehind_backsOverGroundThatWasSeenOnly() {
+    assertThat(backwardsM(false)).isGreaterThan(2.0);
+    assertThat(backwardsM(true)).isLessThan(1.0);
+  }
+
+  /** Length of the way in reverse to a goal 3 m behind [m]. */
+  private static double backwardsM(boolean unseen) {
+    GridFrame frame = new GridFrame(0.0, 0.0, CELL, 60, 60);
+    CostGrid costs = new CostGrid(frame, new Inflation(0.4, 0.9, 3.0));
+    costs.update(i -> false, i -> unseen && frame.centreNorthM(i) < 6.0);
+    HybridAStar.Motion motion = HybridAStar.Motion.of(RADIUS, true);
+    HybridAStar.Goal goal = new HybridAStar.Goal(3.0, 6.0, OptionalDouble.empty(), 0.4);
+    HybridAStar.Way way =
+        new HybridAStar()
+            .plan(costs, BODY, CLEARANCE, motion, new Pose(6.0, 6.0, 0.0), goal)
+            .orElseThrow();
+    double metres = 0.0;
+    Pose last = way.start();
+    for (Curve.Sample sample : way.samples()) {
+      metres += sample.backwards() ? sample.pose().distanceM(last.northM(), last.eastM()) : 0.0;
+      last = sample.pose();
+    }
+    return metres;
+  }
+
   private static Optional<HybridAStar.Way> plan(
       List<Disc> discs, Pose start, OptionalDouble heading, boolean reverses, int expansions) {
     int cells = (int) Math.round(SIDE / CELL);

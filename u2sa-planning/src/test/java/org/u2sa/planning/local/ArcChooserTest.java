@@ -447,6 +447,70 @@ class ArcChooserTest {
     assertThat(choice.northM()).isCloseTo(-1.0, within(1e-9));
   }
 
+  /** Declares what lies south of a coordinate as never seen [m]. */
+  private void unseen(double south) {
+    costs.update(costs::isOccupied, i -> costs.frame().centreNorthM(i) < south);
+  }
+
+  @Test
+  void backOut_neverSeenBehind_goesForward() {
+    unseen(0.0);
+    ArcChoice choice = arcs(rover(), 0.0).backOut(1.0);
+
+    assertThat(choice.backwards()).isFalse();
+    assertThat(choice.northM()).isPositive();
+  }
+
+  @Test
+  void backOut_neverSeenBehindAndWallAhead_backsSlowly() {
+    wall(0.4, 0.5, -12.0, 12.0);
+    unseen(0.0);
+    ArcChoice choice = arcs(rover(), 0.0).backOut(1.0);
+
+    assertThat(choice.backwards()).isTrue();
+    assertThat(choice.speedMps()).isEqualTo(0.3);
+  }
+
+  @Test
+  void backOut_itsOwnTrackBehind_backsOverIt() {
+    unseen(0.0);
+    for (double north = -2.0; north < 0.0; north += 0.05) {
+      costs.passed().add(BODY, north, 0.0, 0.0);
+    }
+    ArcChoice choice = arcs(rover(), 0.0).backOut(1.0);
+
+    assertThat(choice.backwards()).isTrue();
+    assertThat(choice.northM()).isNegative();
+  }
+
+  @Test
+  void along_routeBackOverUnseenGround_isSlow() {
+    MotionLimits truck =
+        new MotionLimits(1.0, 0.8, 1.0, 2.0, true, 1.0, 1.0, 0.05, 0.0, 0.3, 4.0, 0.3, 0.8);
+    RouteTrack back = track(-10.0, 0.0, true);
+    double seen = arcs(truck, 0.0).along(back).speedMps();
+    unseen(0.0);
+    double never = arcs(truck, 0.0).along(back).speedMps();
+
+    assertThat(seen).isEqualTo(1.0);
+    assertThat(never).isEqualTo(0.3);
+  }
+
+  /** Somebody comes from ahead: it would back away from him if it had seen what is behind. */
+  @Test
+  void along_trafficAheadAndNeverSeenBehind_doesNotReverse() {
+    wall(-5.0, 12.0, 0.6, 0.8);
+    wall(-5.0, 12.0, -0.8, -0.6);
+    Mover comes = mover(2.5, 0.0, -0.5, 0.0);
+    boolean backs = arcs(rover(), 0.0, comes).along(north()).backwards();
+    costs.update(costs::isOccupied, i -> costs.frame().centreNorthM(i) < 0.0);
+    ArcChoice stays = arcs(rover(), 0.0, comes).along(north());
+
+    assertThat(backs).isTrue();
+    assertThat(stays.backwards()).isFalse();
+    assertThat(stays.speedMps()).isZero();
+  }
+
   @Test
   void backOut_wallBehind_goesForward() {
     wall(-0.7, -0.5, -3.0, 3.0);
