@@ -1,6 +1,5 @@
 package org.u2sa.estimation.fusion;
 
-import org.u2sa.estimation.measurement.KnownOffset;
 import org.u2sa.estimation.measurement.Measurement;
 import org.u2sa.estimation.measurement.RepeatedSightings;
 import org.u2sa.estimation.measurement.SensedQuantity;
@@ -27,6 +26,7 @@ final class Fuser {
   private static final double TURNED_S = 2.0; // ago, at most
   private static final double TURN_STREAK = 3.0;
   private static final double TURN_DOUBT_S = 0.3;
+  private static final double FIX_STREAK = 3.0; // altitudes of a receiver
 
   private final FilterTuning tuning;
   private final SourceTrust trust;
@@ -230,6 +230,9 @@ final class Fuser {
       s.trust[at + SourceTrust.GATED]++; // no evidence against the estimate
       return;
     }
+    if (quantity == SensedQuantity.ALTITUDE && hasOffset(s, m, source, at)) {
+      QuantityStart.learnOffset(s, linear, at);
+    }
     boolean isUnseenTurn =
         isHeading
             && nis > gates[linear.rows]
@@ -240,14 +243,7 @@ final class Fuser {
     } else if (nis > gates[linear.rows]) {
       boolean mustGiveWay = judge.gated(s, linear, source, quantity, at);
       mustGiveWay |= isHeading && isTurnDoubted(s, at);
-      boolean isOffset =
-          quantity == SensedQuantity.ALTITUDE
-              && isPressure(m)
-              && s.trust[at + SourceTrust.IS_BIASED] != 0.0
-              && judge.isSupported(s, source, quantity);
-      if (isOffset) {
-        QuantityStart.learnOffset(s, linear, at);
-      }
+      mustGiveWay |= quantity == SensedQuantity.ALTITUDE && isPressureDoubted(s, m, at);
       if (contradiction.isOfHeading(s, quantity, at)) {
         contradiction.turnHeading(s);
         return;
@@ -308,6 +304,29 @@ final class Fuser {
   /** Whether an altitude is that of a barometer or depth gauge. */
   private static boolean isPressure(Measurement m) {
     return !m.has(SensedQuantity.PLACE) && !m.has(SensedQuantity.LOCAL_PLACE);
+  }
+
+  /**
+   * Whether other altitudes show the offset of a barometer, or of a depth gauge that has been
+   * rejected.
+   */
+  private boolean hasOffset(FilterState s, Measurement m, int source, int at) {
+    boolean isDepth = tuning.domain() == MotionDomain.UNDERWATER;
+    return isPressure(m)
+        && !trust.isShifted(s, source, SensedQuantity.ALTITUDE)
+        && (!isDepth || s.trust[at + SourceTrust.IS_BIASED] != 0.0)
+        && judge.isSupported(s, source, SensedQuantity.ALTITUDE);
+  }
+
+  /**
+   * Whether a receiver contradicts an altitude that nothing but pressure has shown: the weather
+   * shifts that by tens of metres, for hours. Depth is measured from the surface.
+   */
+  private boolean isPressureDoubted(FilterState s, Measurement m, int at) {
+    return tuning.domain() != MotionDomain.UNDERWATER
+        && !isPressure(m)
+        && s.trust[at + SourceTrust.STREAK] >= FIX_STREAK
+        && !trust.hasReceiverAltitude(s);
   }
 
   /**
@@ -406,7 +425,6 @@ final class Fuser {
       boolean isPersistent = !isShifted && (isPressure(m) || tuning.positionCorrelationS() > 0.0);
       double sigma = m.sigma(quantity, 0);
       if (!isShifted) {
-        KnownOffset.forget(s.trust, at + SourceTrust.KNOWN_OFFSET);
         trust.endShifts(s);
       }
       trust.claim(s, at, isPersistent ? sigma * sigma : 0.0, tuning.resetAfterS() * MICROS);

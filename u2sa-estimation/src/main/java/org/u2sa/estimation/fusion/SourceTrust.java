@@ -283,6 +283,20 @@ final class SourceTrust {
         Math.max(0.0, persistent - s.variance(FilterState.POSITION + 2));
   }
 
+  /** Whether an altitude has been used that came with positions. */
+  boolean hasReceiverAltitude(FilterState s) {
+    for (int source = 0; source < names.size(); source++) {
+      boolean isReceiver =
+          isKnown(source, SensedQuantity.PLACE) || isKnown(source, SensedQuantity.LOCAL_PLACE);
+      if (isReceiver
+          && isKnown(source, SensedQuantity.ALTITUDE)
+          && s.trust[of(s, source, SensedQuantity.ALTITUDE) + USED] > 0.0) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   /** Whether an altitude is subject to an offset that was learnt from other altitudes. */
   boolean isShifted(FilterState s, int source, SensedQuantity quantity) {
     return quantity == SensedQuantity.ALTITUDE

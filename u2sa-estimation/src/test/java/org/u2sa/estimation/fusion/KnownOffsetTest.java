@@ -72,6 +72,18 @@ class KnownOffsetTest {
   }
 
   @ParameterizedTest
+  @ValueSource(doubles = {60.0, -60.0, 25.0, 8.0})
+  void add_barometerHeardBeforeTheFirstFix_receiverIsBelieved(double offM) {
+    hover(20.0, offM, false);
+    Estimate e = hover(23.0, offM, true);
+    assertThat(Math.abs(e.altitudeM() - ALTITUDE_M)).isLessThan(0.2);
+    e = hover(40.0, offM, true);
+    assertThat(Math.abs(e.altitudeM() - ALTITUDE_M)).isLessThan(0.1);
+    hover(90.0, offM, false);
+    assertThat(worstM).isLessThan(2.0);
+  }
+
+  @ParameterizedTest
   @ValueSource(doubles = {25.0, -25.0})
   void add_receiverLost_barometerIsUsedWithItsOffset(double offM) {
     fly(offM);
