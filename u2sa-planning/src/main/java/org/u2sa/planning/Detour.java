@@ -232,6 +232,16 @@ final class Detour {
         || avoidance.straight().isGroundAhead(vehicle, state, vehicle.place(), to);
   }
 
+  /** Whether a place is closed to a vehicle that cannot stop. */
+  boolean isClosedAt(Vehicle vehicle, StateInformation state, Place place) {
+    return avoidance.isOn() && avoidance.straight().isClosedAt(vehicle, state, place);
+  }
+
+  /** Whether the fence in force leaves room to climb to a place. */
+  boolean isInsideFence(Vehicle vehicle, StateInformation state, Place place) {
+    return avoidance.isInsideFence(vehicle, state, place);
+  }
+
   /**
    * Whether a straight way from one position to another is closed: ground is too high, or it leaves
    * the corridors.

@@ -8,9 +8,6 @@ import java.util.function.UnaryOperator;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.frame.Point;
-import org.u2sa.planning.guidance.LineSettings;
-import org.u2sa.planning.guidance.LoiterCircle;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.guidance.WaypointGuidance;
@@ -22,43 +19,49 @@ final class EndOfMission {
   private static final long LONGEST_BRAKING_MICROS = 10 * Clock.MICROS_PER_SECOND;
 
   private final Supplier<PlanningVariables> settings;
-  private final Supplier<LineSettings> lines;
   private final WaypointGuidance guidance;
   private final UnaryOperator<Place> raised;
+  private final StationCircle circle;
   private final SurfaceHold surface;
-  private Optional<LoiterCircle> circle = Optional.empty();
+  private Optional<Place> held = Optional.empty(); // position, or centre of the circle
   private OptionalLong brakesMicros = OptionalLong.empty(); // since when
 
   /**
    * @param raised changes the altitude of a place that is too low
+   * @param circle of a vehicle that cannot stop
    * @param detour looks whether the way back to a held position is free
    */
   EndOfMission(
       Supplier<PlanningVariables> settings,
-      Supplier<LineSettings> lines,
       WaypointGuidance guidance,
       UnaryOperator<Place> raised,
+      StationCircle circle,
       Detour detour) {
     surface = new SurfaceHold(detour);
     this.raised = raised;
+    this.circle = circle;
     this.settings = settings;
-    this.lines = lines;
     this.guidance = guidance;
   }
 
   /** Saves the holding position for the planner that takes over. */
   void handOver(HandOver state) {
-    circle.ifPresent(held -> held.handOver(state));
+    held.ifPresent(place -> place.handOver(state, "HELD"));
+    if (held.isPresent()) {
+      circle.handOver(state);
+    }
   }
 
   /** Resumes holding where the previous planner held. */
   void takeOver(HandOver state) {
-    circle = LoiterCircle.takenOver(state);
+    held = Place.takenOver(state, "HELD");
+    circle.takeOver(state);
   }
 
   /** Discards the holding position because a goal is pursued again. */
   void leave() {
-    circle = Optional.empty();
+    held = Optional.empty();
+    circle.leave();
     brakesMicros = OptionalLong.empty();
     surface.begin();
   }
@@ -73,41 +76,44 @@ final class EndOfMission {
    */
   List<NavigationPoint> plan(Vehicle vehicle, StateInformation state, Optional<Place> place) {
     PlanningVariables now = settings.get();
-    return now.holdsAtEnd() || now.loiterRadius() > 0.0 ? hold(vehicle, state, place) : List.of();
+    if (now.loiterRadius() > 0.0) {
+      return circle(vehicle, state, place);
+    }
+    return now.holdsAtEnd() ? List.of(hold(vehicle, state, place)) : List.of();
   }
 
-  private List<NavigationPoint> hold(
+  private List<NavigationPoint> circle(
       Vehicle vehicle, StateInformation state, Optional<Place> place) {
-    PlanningVariables now = settings.get();
+    if (held.isEmpty()) {
+      Optional<Place> given = place.filter(Place::isHorizontal);
+      Place about = raised.apply(given.orElse(vehicle.place()).orAltitudeOf(vehicle.place()));
+      held = Optional.of(circle.freest(about, given.isEmpty(), state, vehicle));
+    }
+    return circle.hold(held.get(), state, vehicle);
+  }
+
+  private NavigationPoint hold(Vehicle vehicle, StateInformation state, Optional<Place> place) {
     boolean isTaken =
-        place.isEmpty()
-            && now.loiterRadius() == 0.0
-            && circle.filter(held -> surface.isTaken(vehicle, state, held.centre())).isPresent();
+        place.isEmpty() && held.filter(at -> surface.isTaken(vehicle, state, at)).isPresent();
     if (isTaken) {
       leave(); // it holds here
     }
-    boolean isPlaced = circle.isPresent() || place.filter(Place::isHorizontal).isPresent();
-    if (!isPlaced && now.holdAtRest() && now.loiterRadius() == 0.0 && isMoving(vehicle)) {
-      return List.of(SurfaceHold.braking(vehicle));
+    boolean isPlaced = held.isPresent() || place.filter(Place::isHorizontal).isPresent();
+    if (!isPlaced && settings.get().holdAtRest() && isMoving(vehicle)) {
+      return SurfaceHold.braking(vehicle);
     }
-    if (circle.isEmpty()) {
-      Place centre =
+    if (held.isEmpty()) {
+      Place at =
           place
               .filter(Place::isHorizontal)
               .map(known -> known.orAltitudeOf(vehicle.place()))
               .orElseGet(() -> isTaken ? SurfaceHold.ahead(vehicle) : vehicle.place());
-      circle = Optional.of(new LoiterCircle(raised.apply(centre), now.loiterRadius(), vehicle));
+      held = Optional.of(raised.apply(at));
     }
-    Point ahead = circle.get().ahead(vehicle, lines.get().lookAheadM(vehicle.speedMps()));
-    NavigationPoint point = NavigationPoint.at(guidance.bodyPoint(vehicle, ahead));
-    return List.of(now.loiterRadius() > 0.0 ? point : back(point, vehicle, state));
-  }
-
-  /** Goes back to the held position, or stops. */
-  private NavigationPoint back(NavigationPoint point, Vehicle vehicle, StateInformation state) {
-    Place held = circle.orElseThrow().centre();
-    surface.lead(point, vehicle, state, held);
-    return surface.stop(vehicle, held).orElse(point);
+    Place at = held.get();
+    NavigationPoint point = NavigationPoint.at(guidance.bodyPoint(vehicle, vehicle.nedOf(at)));
+    surface.lead(point, vehicle, state, at);
+    return surface.stop(vehicle, at).orElse(point);
   }
 
   /** Whether it still brakes; a vehicle that does not stop counts as standing after a while. */

@@ -119,13 +119,16 @@ public class PathPlanner extends EventDrivenService {
     Settings<FlightVariables> flight = settings(FlightVariables.class);
     ground = new GroundStay(flight, this::isAeroplane);
     Settings<StationVariables> stations = settings(StationVariables.class);
-    StationCircle circle =
-        new StationCircle(
-            detour,
-            this::lines,
-            () -> settings.get().loiterRadius(),
-            flight,
-            () -> stations.get().stationGiveUpAfter());
+    Function<Boolean, StationCircle> circles =
+        endless ->
+            new StationCircle(
+                detour,
+                this::lines,
+                () -> settings.get().loiterRadius(),
+                flight,
+                () -> stations.get().stationGiveUpAfter(),
+                endless);
+    StationCircle circle = circles.apply(false);
     PayloadReleases releases = new PayloadReleases();
     states =
         new PlannerStates(
@@ -155,7 +158,7 @@ public class PathPlanner extends EventDrivenService {
                 this::isAeroplane,
                 ground::stoodAt,
                 () -> flight.get().headwayTime()));
-    end = new EndOfMission(settings, this::lines, guidance, ground::raised, detour);
+    end = new EndOfMission(settings, guidance, ground::raised, circles.apply(true), detour);
     registerPublisher(Channels.NAVIGATION);
     registerPublisher(Channels.GOAL_REPORTS);
     registerPublisher(Channels.PLANS);
@@ -388,6 +391,7 @@ public class PathPlanner extends EventDrivenService {
         climb(Optional.empty(), vehicle)
             .map(List::of)
             .orElseGet(() -> end.plan(vehicle, state, place));
+    avoidance.news().ifPresent(path -> show(path, state));
     return checks.hovering(points, state);
   }
 

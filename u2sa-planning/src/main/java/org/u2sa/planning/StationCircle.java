@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.DoubleSupplier;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.u2sa.interfaces.time.Clock;
@@ -26,7 +27,8 @@ import org.u2sa.service.handover.HandOver;
 /**
  * A {@link Station} of a vehicle that cannot stop: a circle around it. Duration and turns count
  * from the arrival on the circle at the altitude of the station, even if the vehicle has to evade
- * later. Where the circle is obstructed, the vehicle goes around to a later part of it.
+ * later. Where the circle is obstructed, the vehicle goes around to a later part of it. A vehicle
+ * that holds circles likewise, without end, and chooses a circle with room.
  */
 final class StationCircle {
   private static final double LOOKS_AHEAD_RAD =
@@ -43,7 +45,10 @@ final class StationCircle {
   private static final double LONGEST_STEP_S = 1.0;
   private static final double LEAVES_RAD = Math.toRadians(12.0); // lead to the next goal's course
 
+  private static final String HOLD = "hold"; // UID of the station
   private static final int GROUND_STEP_DEG = 5;
+  private static final double[] HIGHER_M = {0.0, 25.0, 50.0, 100.0, 200.0}; // when holding
+  private static final double[] ASIDE = {0.0, 1.0, -1.0}; // likewise, in radii to the right
 
   /** A longer part of a circle is not flown around: there may be no room to turn away. */
   private static final int MAX_HIGH_GROUND_DEG = 60;
@@ -52,6 +57,7 @@ final class StationCircle {
   private final Supplier<LineSettings> lines;
   private final Supplier<Double> radiusM; // default for stations without a radius
   private final Supplier<FlightVariables> settings;
+  private final boolean endless;
   private final DoubleSupplier giveUpAfterS; // without coming farther along the circle; 0: never
   private LoiterCircle circle; // null before the first plan
   private Optional<Place> place = Optional.empty(); // its centre as given by the station
@@ -69,17 +75,22 @@ final class StationCircle {
   private long widenedMicros;
   private double bearingRad;
 
+  /**
+   * @param endless whether it cannot be given up, because the vehicle holds there
+   */
   StationCircle(
       Detour detour,
       Supplier<LineSettings> lines,
       Supplier<Double> radius,
       Supplier<FlightVariables> settings,
-      DoubleSupplier giveUpAfterS) {
+      DoubleSupplier giveUpAfterS,
+      boolean endless) {
     this.detour = detour;
     this.lines = lines;
     this.radiusM = radius;
     this.settings = settings;
     this.giveUpAfterS = giveUpAfterS;
+    this.endless = endless;
   }
 
   /** Whether the vehicle circles rather than stays. */
@@ -91,6 +102,44 @@ final class StationCircle {
   void leave() {
     circle = null;
     place = Optional.empty();
+  }
+
+  /**
+   * Centre of a circle on which to hold that is closed along no part or, if there is none, along
+   * the shortest: about a position, beside it, and at greater altitudes.
+   *
+   * @param aside whether the circle may be beside the position
+   */
+  Place freest(Place about, boolean aside, StateInformation state, Vehicle vehicle) {
+    Place best = about;
+    long least = Long.MAX_VALUE;
+    for (double higherM : HIGHER_M) {
+      for (double radii : ASIDE) {
+        double sideM = radii * radiusM.get();
+        double course = vehicle.courseRad();
+        Place level = about.moved(-sideM * Math.sin(course), sideM * Math.cos(course));
+        Place centre =
+            level.upM().isPresent() ? level.at(level.upM().getAsDouble() + higherM) : level;
+        boolean isPossible = aside || radii == 0.0;
+        if (isPossible && (higherM == 0.0 || detour.isInsideFence(vehicle, state, centre))) {
+          LoiterCircle round = new LoiterCircle(centre, radiusM.get(), vehicle);
+          long closed = closedDeg(round, each -> detour.isClosedAt(vehicle, state, each));
+          best = closed < least ? centre : best;
+          least = Math.min(closed, least);
+        }
+        if (least == 0) {
+          return best;
+        }
+      }
+    }
+    return best;
+  }
+
+  /** The next step of a vehicle that holds on the circle about a place. */
+  List<NavigationPoint> hold(Place centre, StateInformation state, Vehicle vehicle) {
+    Plan plan =
+        plan(new Station().uid(HOLD), state, vehicle, centre, Optional.<GoalInformation>empty());
+    return plan.points();
   }
 
   private void begin(Station station, Place centre, Vehicle vehicle) {
@@ -167,13 +216,16 @@ final class StationCircle {
     if (!detour.isPossible()) {
       return Plan.underWay(List.of(point));
     }
-    long highDeg = sinceMicros == Long.MIN_VALUE ? highGroundDeg(vehicle, state, centre) : 0;
+    boolean isNew = sinceMicros == Long.MIN_VALUE && !endless;
+    long highDeg =
+        isNew ? closedDeg(circle, at -> detour.isGroundAt(vehicle, state, at, centre)) : 0;
     if (highDeg > MAX_HIGH_GROUND_DEG) {
       String why = "given up: the ground is too high along " + highDeg + " degrees of the circle";
       return new Plan(List.of(point), Plan.Progress.ABANDONED, why);
     }
     double idleS = Clock.seconds(vehicle.timestampMicros() - farthestMicros);
-    if (entry > 0 && giveUpAfterS.getAsDouble() > 0.0 && idleS > giveUpAfterS.getAsDouble()) {
+    boolean isPatient = endless || giveUpAfterS.getAsDouble() == 0.0;
+    if (entry > 0 && !isPatient && idleS > giveUpAfterS.getAsDouble()) {
       String why = String.format(Locale.ROOT, "given up: no farther along it for %.0f s", idleS);
       return new Plan(List.of(point), Plan.Progress.ABANDONED, why);
     }
@@ -186,12 +238,12 @@ final class StationCircle {
     return entry == 0 ? Plan.underWay(List.of(point)) : around(station, state, vehicle, point);
   }
 
-  /** Part of the circle on which the ground is too high to fly over [degrees]. */
-  private long highGroundDeg(Vehicle vehicle, StateInformation state, Place centre) {
+  /** Part of a circle whose places are closed [degrees]. */
+  private static long closedDeg(LoiterCircle round, Predicate<Place> isClosed) {
     return GROUND_STEP_DEG
         * IntStream.range(0, 360 / GROUND_STEP_DEG)
-            .mapToObj(i -> circle.at(Math.toRadians(i * GROUND_STEP_DEG)))
-            .filter(place -> detour.isGroundAt(vehicle, state, place, centre))
+            .mapToObj(i -> round.at(Math.toRadians(i * GROUND_STEP_DEG)))
+            .filter(isClosed)
             .count();
   }
 
@@ -248,11 +300,11 @@ final class StationCircle {
     if (!isLost) {
       return plan;
     }
-    if (entry == ENTRIES) {
+    if (entry == ENTRIES && !endless) {
       return new Plan(
           plan.points(), Plan.Progress.ABANDONED, "given up: no part of the circle can be reached");
     }
-    enter(entry + 1, vehicle);
+    enter(entry % ENTRIES + 1, vehicle);
     return Plan.underWay(plan.points());
   }
 

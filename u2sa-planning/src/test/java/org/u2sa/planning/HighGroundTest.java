@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
@@ -22,6 +23,7 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.PayloadDrop;
 import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.Waypoint;
@@ -126,13 +128,17 @@ class HighGroundTest extends PlannedVehicle {
 
   private GoalInformation fly(String goal, double limitS) {
     while (kit.nowS() < limitS && !isReported(goal)) {
-      kit.publish(Channels.OBJECTS, new ObjectList()); // an empty sky
-      kit.publish(Channels.STATE, aircraft.state());
-      aircraft.step(STEP_S, kit.latest(Channels.NAVIGATION));
-      lowestM = Math.min(lowestM, aircraft.altitude - groundM(aircraft.north, aircraft.east));
-      kit.advance(STEP_S);
+      step();
     }
     return kit.latest(Channels.GOAL_REPORTS).orElseThrow();
+  }
+
+  private void step() {
+    kit.publish(Channels.OBJECTS, new ObjectList()); // an empty sky
+    kit.publish(Channels.STATE, aircraft.state());
+    aircraft.step(STEP_S, kit.latest(Channels.NAVIGATION));
+    lowestM = Math.min(lowestM, aircraft.altitude - groundM(aircraft.north, aircraft.east));
+    kit.advance(STEP_S);
   }
 
   private boolean isReported(String goal) {
@@ -198,6 +204,53 @@ class HighGroundTest extends PlannedVehicle {
 
     assertThat(fly(1.0).abandoned()).isTrue();
     assertThat(logged("the ground is too high along 80 degrees of the circle")).isPositive();
+  }
+
+  private void hold(double untilS) {
+    while (kit.nowS() < untilS) {
+      step();
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource({"2000", "2150", "2300"})
+  void pause_beforeTheHill_circlesWhereThereIsNone(double north) throws IOException {
+    startAeroplane(150.0);
+    aircraft = new TestAircraft(north, 0.0, 150.0, 0.0);
+    Waypoint goal = at(new Waypoint().horizontalThreshold(100.0), 6000.0, 150.0);
+    kit.publish(
+        Channels.GOALS, new GoalList().goals(List.of(goal)).paused(true).upcoming(List.of()));
+    hold(200.0);
+
+    assertThat(lowestM).isGreaterThan(40.0);
+  }
+
+  /** As in a descent to a field above the take-off point. */
+  @Test
+  void pause_lowAboveTheGround_climbsToItsClearance() throws IOException {
+    startAeroplane(150.0);
+    aircraft = new TestAircraft(0.0, -3000.0, 12.0, 0.0);
+    Waypoint goal = at(new Waypoint().horizontalThreshold(100.0), 6000.0, 150.0);
+    kit.publish(
+        Channels.GOALS, new GoalList().goals(List.of(goal)).paused(true).upcoming(List.of()));
+    hold(100.0);
+
+    assertThat(lowestM).isGreaterThan(11.0);
+    assertThat(aircraft.altitude).isGreaterThan(50.0);
+  }
+
+  @Test
+  void atEnd_goalBesideTheHill_circlesAboveIt() throws IOException {
+    kit.with("AT END", "HOLD");
+    startAeroplane(150.0);
+    aircraft = new TestAircraft(HILL_NORTH_M - 700.0, -2500.0, 150.0, 0.5 * Math.PI);
+    goals(at(new Waypoint().horizontalThreshold(100.0), HILL_NORTH_M - 700.0, 150.0));
+    assertThat(fly(100.0).completed()).isTrue();
+    goals();
+    hold(400.0);
+
+    assertThat(lowestM).isGreaterThan(40.0);
+    assertThat(aircraft.altitude).isCloseTo(350.0, within(2.0));
   }
 
   @Test

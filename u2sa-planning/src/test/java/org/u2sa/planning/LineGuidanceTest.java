@@ -60,7 +60,7 @@ class LineGuidanceTest {
   @Test
   void loiter_centreToTheRight_isFlownClockwise() {
     LoiterCircle circle = new LoiterCircle(place(0.0, 500.0), 500.0, vehicle(0.0, 0.0));
-    Point ahead = circle.ahead(vehicle(0.0, 0.0), 100.0);
+    Point ahead = circle.tangentAhead(vehicle(0.0, 0.0), 100.0, 0.0);
 
     assertThat(ahead.x()).isBetween(95.0, 100.0); // ahead, not behind
     assertThat(ahead.y()).isBetween(5.0, 15.0);
@@ -69,7 +69,7 @@ class LineGuidanceTest {
   @Test
   void loiter_centreToTheLeft_isFlownCounterClockwise() {
     LoiterCircle circle = new LoiterCircle(place(0.0, -500.0), 500.0, vehicle(0.0, 0.0));
-    Point ahead = circle.ahead(vehicle(0.0, 0.0), 100.0);
+    Point ahead = circle.tangentAhead(vehicle(0.0, 0.0), 100.0, 0.0);
 
     assertThat(ahead.x()).isBetween(95.0, 100.0);
     assertThat(ahead.y()).isBetween(-15.0, -5.0);

@@ -57,13 +57,17 @@ class StationCircleTest extends PlannedVehicle {
   /** Flies until the goal is reported, or for so long. */
   private boolean fly(double limitS) {
     while (kit.nowS() < limitS && kit.latest(Channels.GOAL_REPORTS).isEmpty()) {
-      kit.publish(Channels.OBJECTS, new ObjectList().objects(List.copyOf(towers)));
-      kit.publish(Channels.STATE, aircraft.state().z(-aircraft.altitude));
-      aircraft.step(0.1, kit.latest(Channels.NAVIGATION));
-      kit.advance(0.1);
-      track.add(new double[] {aircraft.north - NORTH_M, aircraft.east});
+      step();
     }
     return kit.latest(Channels.GOAL_REPORTS).filter(report -> report.completed()).isPresent();
+  }
+
+  private void step() {
+    kit.publish(Channels.OBJECTS, new ObjectList().objects(List.copyOf(towers)));
+    kit.publish(Channels.STATE, aircraft.state().z(-aircraft.altitude));
+    aircraft.step(0.1, kit.latest(Channels.NAVIGATION));
+    kit.advance(0.1);
+    track.add(new double[] {aircraft.north - NORTH_M, aircraft.east});
   }
 
   /** Angle flown around the station while near the circle [turns], clockwise positive. */
@@ -206,10 +210,73 @@ class StationCircleTest extends PlannedVehicle {
 
     assertThat(fly(900.0)).isTrue();
     assertThat(Math.abs(turns())).isGreaterThan(0.8); // the rest was flown beside the circle
+    assertKeepsAwayFromTowers();
+  }
+
+  private void assertKeepsAwayFromTowers() {
     for (Sphere tower : towers) {
       assertThat(track)
           .allMatch(at -> Math.hypot(at[0] - tower.x() + NORTH_M, at[1] - tower.y()) > 110.0);
     }
+  }
+
+  /** The tower stands on the circle about the vehicle's position. */
+  @ParameterizedTest
+  @ValueSource(doubles = {0.0, 90.0, 180.0, 270.0})
+  void pause_towerOnTheCircle_circlesBesideThePosition(double bearingDeg) {
+    start("AIR");
+    double bearing = Math.toRadians(bearingDeg);
+    tower(RADIUS_M * Math.cos(bearing) - NORTH_M, RADIUS_M * Math.sin(bearing));
+    kit.publish(
+        Channels.GOALS, new GoalList().goals(List.of(station())).paused(true).upcoming(List.of()));
+
+    assertThat(fly(400.0)).isFalse();
+    assertKeepsAwayFromTowers();
+    assertThat(track).allMatch(at -> Math.hypot(at[0] + NORTH_M, at[1]) < 2.2 * RADIUS_M);
+  }
+
+  @Test
+  void pause_towersOnAllCircles_fliesAroundThem() {
+    start("AIR");
+    tower(RADIUS_M - NORTH_M, 0.0);
+    tower(-NORTH_M, 2.0 * RADIUS_M);
+    tower(-NORTH_M, -2.0 * RADIUS_M);
+    kit.publish(
+        Channels.GOALS, new GoalList().goals(List.of(station())).paused(true).upcoming(List.of()));
+
+    assertThat(fly(600.0)).isFalse();
+    assertKeepsAwayFromTowers();
+    assertThat(track).allMatch(at -> Math.hypot(at[0] + NORTH_M, at[1]) < 3.5 * RADIUS_M);
+  }
+
+  @Test
+  void atEnd_towerOnTheCircleAboutTheLastGoal_fliesAroundIt() {
+    kit.with("AT END", "HOLD");
+    start("AIR");
+    tower(0.0, RADIUS_M - 20.0);
+    tower(60.0, -RADIUS_M - 50.0);
+    goals(waypoint("W", NORTH_M, 0.0).horizontalThreshold(50.0));
+    assertThat(fly(200.0)).isTrue();
+    goals();
+    while (kit.nowS() < 700.0) {
+      step();
+    }
+    assertKeepsAwayFromTowers();
+    assertThat(offs().subList(2000, offs().size())).allMatch(off -> off < 1.5 * RADIUS_M);
+    assertThat(Math.abs(turns())).isGreaterThan(1.0);
+  }
+
+  @Test
+  void takeOver_holding_circlesOnAboutTheSamePlace() {
+    PathPlanner planner = start("AIR");
+    aircraft.north = NORTH_M;
+    kit.publish(
+        Channels.GOALS, new GoalList().goals(List.of(station())).paused(true).upcoming(List.of()));
+    fly(103.0);
+    kit.swap(planner, PathPlanner::new);
+    fly(300.0);
+
+    assertThat(offs().subList(1000, offs().size())).allMatch(off -> off < 15.0);
   }
 
   /** The part between the towers is too short to join the circle on it. */

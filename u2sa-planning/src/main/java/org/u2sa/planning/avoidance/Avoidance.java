@@ -341,6 +341,13 @@ public final class Avoidance {
     return vertical.heldUp(goal, vehicle, way, downM != way.z(), byObstacle, now);
   }
 
+  /** Whether the fence in force leaves room to climb to a place. */
+  public boolean isInsideFence(Vehicle vehicle, StateInformation state, Place place) {
+    double wayM = vehicle.nedOf(place).z();
+    PlanningPlane on = planeOf(state);
+    return climbing.inside(on, vehicle.on(on).z(), 0.0, wayM) == wayM;
+  }
+
   /** Whether obstacles or traffic above or below held the vehicle up at the last state. */
   public boolean isHeldUp() {
     return vertical.isHeldUp();

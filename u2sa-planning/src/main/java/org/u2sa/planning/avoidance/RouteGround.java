@@ -191,8 +191,16 @@ final class RouteGround {
     }
     double centreM = ground.mappedM(centre.x(), centre.y()) - centre.z();
     double keptM = Math.min(now.verticalClearance(), centreM);
-    double heightM = ground.mappedM(place.x(), place.y()) - place.z();
-    return heightM < (Double.isNaN(keptM) ? now.verticalClearance() : keptM) - ROUGHLY_M;
+    return isLower(place, Double.isNaN(keptM) ? now.verticalClearance() : keptM);
+  }
+
+  /** Whether a place is lower above the ground than the clearance. */
+  boolean isLow(PlanningPlane plane, Point place, AvoidanceVariables now) {
+    return ground.isOn(plane) && isLower(place, now.verticalClearance());
+  }
+
+  private boolean isLower(Point place, double heightM) {
+    return ground.mappedM(place.x(), place.y()) - place.z() < heightM - ROUGHLY_M;
   }
 
   /** Distance to keep above ground: a vehicle or goal that is lower sets it [m]. */

@@ -84,6 +84,13 @@ final class StraightFlight {
     return false;
   }
 
+  /** Whether an obstacle is near a place on the planning plane [m], or no corridor contains it. */
+  boolean isClosed(Point place, BodyDiscs body, AvoidanceVariables now) {
+    double keptM = body.circleM() + now.clearance();
+    return !world.corridors().isEmpty() && !isInCorridor(place.x(), place.y())
+        || world.shapes().stream().anyMatch(shape -> shape.distanceM(place.x(), place.y()) < keptM);
+  }
+
   /**
    * What a straight way leads into: it comes too close, and closer than the vehicle is.
    *

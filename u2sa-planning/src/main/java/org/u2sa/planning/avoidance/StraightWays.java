@@ -116,6 +116,23 @@ public final class StraightWays {
   }
 
   /**
+   * Whether a place is closed to a vehicle that cannot stop: it is lower above the ground than
+   * VERTICAL CLEARANCE, an obstacle is near, or no corridor contains it.
+   */
+  public boolean isClosedAt(Vehicle vehicle, StateInformation state, Place place) {
+    AvoidanceVariables now = settings.get();
+    PlanningPlane plane = planes.apply(state);
+    Point at = vehicle.on(plane);
+    Point way = vehicle.nedOf(place);
+    world.update(state, at.x(), at.y(), at.z(), at.z() + way.z());
+    boolean isLow =
+        state.z().isPresent()
+            && place.upM().isPresent()
+            && highGround.isLow(plane, at.plus(way), now);
+    return isLow || flight.isClosed(at.plus(way), body(now), now);
+  }
+
+  /**
    * Whether a static obstacle, as of the last update, is too close to a straight descent to a point
    * on the ground. Near the ground, the required distance equals the aircraft's height.
    */

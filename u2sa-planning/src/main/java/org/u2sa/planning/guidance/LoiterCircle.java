@@ -83,10 +83,13 @@ public final class LoiterCircle {
     return Math.hypot(from.x(), from.y()) - radiusM;
   }
 
-  /** Direction of the vehicle from the centre [rad, clockwise from north]. */
+  /**
+   * Direction of the vehicle from the centre [rad, clockwise from north]; its course at the centre.
+   */
   public double bearingRad(Vehicle vehicle) {
     Point to = vehicle.nedOf(centre);
-    return Math.atan2(-to.y(), -to.x());
+    boolean atCentre = Math.hypot(to.x(), to.y()) < Leg.SHORTEST_M;
+    return atCentre ? vehicle.courseRad() : Math.atan2(-to.y(), -to.x());
   }
 
   /**
@@ -104,9 +107,9 @@ public final class LoiterCircle {
   }
 
   /**
-   * Like {@link #ahead}, but from outside on the straight way to the tangent point, no farther than
-   * the look-ahead: a control that steers along an arc to a far point would turn widely. North,
-   * east, down [m].
+   * Point on the circle, one look-ahead ahead; from outside on the straight way to the tangent
+   * point, no farther than the look-ahead: a control that steers along an arc to a far point would
+   * turn widely. North, east, down from the vehicle [m].
    *
    * @param widerM distance of the point outside the circle [m]
    */
@@ -119,17 +122,5 @@ public final class LoiterCircle {
     Point to = vehicle.nedOf(centre.moved(out * Math.cos(bearing), out * Math.sin(bearing)));
     double share = tangent > along ? lookAheadM / Math.hypot(to.x(), to.y()) : 1.0;
     return share < 1.0 ? Point.of(share * to.x(), share * to.y(), to.z()) : to;
-  }
-
-  /** Point on the circle, one look-ahead ahead: north, east, down from the vehicle [m]. */
-  public Point ahead(Vehicle vehicle, double lookAheadM) {
-    Point to = vehicle.nedOf(centre);
-    if (radiusM == 0.0) {
-      return to;
-    }
-    boolean atCentre = Math.hypot(to.x(), to.y()) < Leg.SHORTEST_M;
-    double angle = atCentre ? vehicle.courseRad() : Math.atan2(-to.y(), -to.x());
-    angle += sense * Math.min(lookAheadM / radiusM, FARTHEST_AHEAD_RAD);
-    return Point.of(to.x() + radiusM * Math.cos(angle), to.y() + radiusM * Math.sin(angle), to.z());
   }
 }
