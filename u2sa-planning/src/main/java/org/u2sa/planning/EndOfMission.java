@@ -3,6 +3,7 @@ package org.u2sa.planning;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
+import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import org.u2sa.interfaces.time.Clock;
@@ -19,6 +20,7 @@ final class EndOfMission {
   private static final long LONGEST_BRAKING_MICROS = 10 * Clock.MICROS_PER_SECOND;
 
   private final Supplier<PlanningVariables> settings;
+  private final BooleanSupplier drifts;
   private final WaypointGuidance guidance;
   private final UnaryOperator<Place> raised;
   private final StationCircle circle;
@@ -27,12 +29,14 @@ final class EndOfMission {
   private OptionalLong brakesMicros = OptionalLong.empty(); // since when
 
   /**
+   * @param drifts whether the vehicle drifts, so that it never comes to rest
    * @param raised changes the altitude of a place that is too low
    * @param circle of a vehicle that cannot stop
    * @param detour looks whether the way back to a held position is free
    */
   EndOfMission(
       Supplier<PlanningVariables> settings,
+      BooleanSupplier drifts,
       WaypointGuidance guidance,
       UnaryOperator<Place> raised,
       StationCircle circle,
@@ -41,6 +45,7 @@ final class EndOfMission {
     this.raised = raised;
     this.circle = circle;
     this.settings = settings;
+    this.drifts = drifts;
     this.guidance = guidance;
   }
 
@@ -99,7 +104,8 @@ final class EndOfMission {
       leave(); // it holds here
     }
     boolean isPlaced = held.isPresent() || place.filter(Place::isHorizontal).isPresent();
-    if (!isPlaced && settings.get().holdAtRest() && isMoving(vehicle)) {
+    boolean rests = settings.get().holdAtRest() && !drifts.getAsBoolean();
+    if (!isPlaced && rests && isMoving(vehicle)) {
       return SurfaceHold.braking(vehicle);
     }
     if (held.isEmpty()) {

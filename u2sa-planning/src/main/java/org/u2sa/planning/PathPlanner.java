@@ -158,7 +158,14 @@ public class PathPlanner extends EventDrivenService {
                 this::isAeroplane,
                 ground::stoodAt,
                 () -> flight.get().headwayTime()));
-    end = new EndOfMission(settings, guidance, ground::raised, circles.apply(true), detour);
+    end =
+        new EndOfMission(
+            settings,
+            () -> seeing.get().drifts(),
+            guidance,
+            ground::raised,
+            circles.apply(true),
+            detour);
     registerPublisher(Channels.NAVIGATION);
     registerPublisher(Channels.GOAL_REPORTS);
     registerPublisher(Channels.PLANS);

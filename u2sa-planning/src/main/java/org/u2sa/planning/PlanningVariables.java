@@ -52,7 +52,7 @@ record PlanningVariables(
         double loiterRadius,
     @Variable(ifAbsentText = "false")
         @Description(
-            "Whether a vehicle that pauses holds where it has come to rest instead of where it was when it was told: true for vehicles that stand without drifting, such as ground vehicles.")
+            "Whether a vehicle that pauses holds where it has come to rest instead of where it was when it was told: true for vehicles that stand without drifting, such as ground vehicles; of no effect if the vehicle DRIFTS.")
         boolean holdAtRest,
     @Variable(unit = "s", min = 0, minExcluded = true, ifAbsent = 1)
         @Description("Maximum age of a state used for planning.")

@@ -57,6 +57,21 @@ class HoldOnSurfaceTest extends PlannedVehicle {
     return kit.latest(Channels.NAVIGATION).orElseThrow().speed().orElse(Double.NaN);
   }
 
+  /** It never comes to rest: it would be carried on until it counts as standing. */
+  @Test
+  void paused_boatThatDriftsWithHoldAtRest_goesBackAtOnce() {
+    kit.with("HOLD AT REST", true).with("DRIFTS", true);
+    start("GRID");
+    GoalList goals = new GoalList().goals(List.of(waypoint("1", 50.0, 0.0))).upcoming(List.of());
+    kit.publish(Channels.GOALS, goals.paused(true));
+    for (double north = 10.0; north < 12.0; north += 0.1) {
+      sees(state(north, 0.0, 0.0).xDot(1.0).yDot(0.0));
+    }
+
+    assertThat(point().x()).isLessThan(-1.5);
+    assertThat(commandedMps()).isPositive();
+  }
+
   @Test
   void paused_rudderBoatDriftsWithinItsTurningCircle_staysStopped() {
     startRudderBoat("HYBRID");
