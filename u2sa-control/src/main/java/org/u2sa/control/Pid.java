@@ -135,6 +135,21 @@ public final class Pid {
     integral = gains.gain > 0.0 ? wantedOutput - proportional : 0.0;
   }
 
+  /**
+   * Takes over the control of a velocity or rate as {@link #takeOver} does, but brakes a motion
+   * that is faster than the set point, or leads away from it, at once, in proportion to the error.
+   * Otherwise the integral would hold the motion until it has taken in the error.
+   */
+  public void takeOverMotion(double wantedOutput, double setpoint, double measured) {
+    takeOver(wantedOutput, setpoint, measured);
+    double error = setpoint - measured;
+    if (gains.integralS > 0.0 && error * measured < 0.0) {
+      double towards = Math.signum(error);
+      double against = Math.max(0.0, -towards * integral);
+      integral += towards * Math.min(against, gains.gain * Math.abs(error));
+    }
+  }
+
   /** Integral part of the output: the response to a steady disturbance. */
   public double integral() {
     return integral;

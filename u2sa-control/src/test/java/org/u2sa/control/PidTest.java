@@ -189,6 +189,44 @@ class PidTest {
     assertThat(pid.step(1.0, 0.25, 0.02)).isCloseTo(7.0, within(1e-9));
   }
 
+  /** A fall that the other law did nothing about. */
+  @Test
+  void takeOverMotion_awayFromTheSetpoint_brakesInProportionAtOnce() {
+    Pid pid = new Pid(Pid.Gains.of(3.0, 2.0, 0.0));
+
+    pid.takeOverMotion(0.0, -1.0, 4.0);
+
+    assertThat(pid.step(-1.0, 4.0, 0.02)).isCloseTo(-15.0, within(1e-9));
+  }
+
+  @Test
+  void takeOverMotion_otherLawBrakesHarder_continuesItsOutput() {
+    Pid pid = new Pid(Pid.Gains.of(3.0, 2.0, 0.0));
+
+    pid.takeOverMotion(-20.0, 0.0, 4.0);
+
+    assertThat(pid.step(0.0, 4.0, 0.02)).isCloseTo(-20.0, within(1e-9));
+  }
+
+  /** The output against a steady wind is kept. */
+  @Test
+  void takeOverMotion_slightlyTooFastInADisturbance_keepsTheRestOfTheOutput() {
+    Pid pid = new Pid(Pid.Gains.of(3.0, 2.0, 0.0));
+
+    pid.takeOverMotion(2.0, 1.0, 1.1);
+
+    assertThat(pid.step(1.0, 1.1, 0.02)).isCloseTo(2.0 - 0.3, within(1e-9));
+  }
+
+  @Test
+  void takeOverMotion_slowerThanTheSetpoint_nextOutputIsTheOldOne() {
+    Pid pid = new Pid(Pid.Gains.of(3.0, 2.0, 0.4));
+
+    pid.takeOverMotion(7.0, 1.0, 0.25);
+
+    assertThat(pid.step(1.0, 0.25, 0.02)).isCloseTo(7.0, within(1e-9));
+  }
+
   @Test
   void step_afterAGap_neitherIntegratesNorDifferentiates() {
     Pid pid = new Pid(Pid.Gains.of(1.0, 1.0, 1.0));

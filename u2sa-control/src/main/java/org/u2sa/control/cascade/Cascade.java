@@ -268,11 +268,14 @@ final class Cascade {
     return settings.leans() && ground.stands();
   }
 
-  /** Takes over from a wrench commanded by another law (bumpless transfer). */
+  /**
+   * Takes over from a wrench commanded by another law: bumplessly, but a motion away from the
+   * target is braked at once.
+   */
   void takeOver(BodyMotion motion, MotionTarget target, double[] present) {
     aim(motion, target);
     for (int j = 0; j < AXES.length; j++) {
-      pids[j].takeOver(acceleration(j, present[j]), wanted[j], measured[j]);
+      pids[j].takeOverMotion(acceleration(j, present[j]), wanted[j], measured[j]);
     }
     if (settings.leans()) {
       takeOverLean(present[HEAVE]);
@@ -286,8 +289,8 @@ final class Cascade {
         Gravity.STANDARD_MPS2
             * StrictMath.tan(attitude.phi())
             / Math.max(0.1, StrictMath.cos(attitude.theta()));
-    pids[SURGE].takeOver(forward, wanted[SURGE], measured[SURGE]);
-    pids[SWAY].takeOver(right, wanted[SWAY], measured[SWAY]);
+    pids[SURGE].takeOverMotion(forward, wanted[SURGE], measured[SURGE]);
+    pids[SWAY].takeOverMotion(right, wanted[SWAY], measured[SWAY]);
     if (-presentN > FLIES_FROM * tuning[HEAVE].mass() * Gravity.STANDARD_MPS2) {
       ground.flies();
     }

@@ -8,6 +8,7 @@ final class AirbornePhases {
   private static final double NEAR_GROUND_M = 10.0;
   private static final double HEIGHT_FIRST_BELOW = 0.5; // fraction of the safe height
   private static final double LEADS_UP_M = 10.0; // navigation, as when it goes round
+  private static final double LEVEL_WINGS_MPS = 3.0; // excess sink rate at which it does not bank
 
   private final AutopilotVariables tuning;
   private final GuidanceVariables guidance;
@@ -47,6 +48,11 @@ final class AirbornePhases {
   /** Restarts the energy law at a pitch, with the current throttle. */
   void restartEnergy(FlightState state, double pitchRad) {
     energy.restart(state, pitchRad, loops.throttle());
+  }
+
+  /** Arrests the climb or descent in which the aeroplane was taken over. */
+  void arrest() {
+    energy.arrest();
   }
 
   Surfaces climbOut(FlightState state, double dtS) {
@@ -156,7 +162,9 @@ final class AirbornePhases {
       EnergyLaw.Priority priority,
       double leastPitch,
       double dtS) {
-    double limit = Math.min(bankLimit, guidance.bankLimitRad(state));
+    double excess = energy.excessClimbMps(state, altitudeDemandM);
+    double share = Limit.within(0.0, 1.0 + excess / LEVEL_WINGS_MPS, 1.0);
+    double limit = share * Math.min(bankLimit, guidance.bankLimitRad(state));
     loops.bankTowards(Limit.symmetric(bank, limit), dtS);
     double slowest =
         guidance.leastSpeedMps(loops.bankRad())
@@ -174,7 +182,8 @@ final class AirbornePhases {
                 speedDemandMps * state.trueOverCalibrated(),
                 priority,
                 Math.min(leastPitch, most),
-                most),
+                most,
+                guidance.pullUpMps2(state)),
             guidance.urgency(state),
             dtS);
     loops.throttle(command.throttle());

@@ -156,9 +156,17 @@ public final class Autopilot {
     }
     boolean airborne =
         phase == FlightPhase.CRUISE || phase == FlightPhase.HOLD || phase == FlightPhase.GO_AROUND;
-    if (airborne && (first || before == FlightPhase.RUN_UP || before == FlightPhase.STOPPED)) {
+    boolean begins =
+        first || (airborne && (before == FlightPhase.RUN_UP || before == FlightPhase.STOPPED));
+    if (begins && (airborne || phase == FlightPhase.CLIMB_OUT)) {
       loops.throttle(takenOver ? loops.throttle() : tuning.energy().throttleTrim());
       takenOver = false;
+    }
+    if (first) {
+      loops.pitch(state.pitchRad());
+      air.arrest();
+    }
+    if (airborne && begins) {
       loops.hold(state.rollRad());
       air.restartEnergy(state, state.pitchRad());
     }

@@ -83,9 +83,15 @@ final class EnergyLaw {
    * @param priority what pitch controls
    * @param least minimum pitch [rad]
    * @param most maximum pitch [rad]
+   * @param pullUpMps2 vertical acceleration with which a descent may be arrested [m/s²]
    */
   record Demand(
-      double altitudeM, double airspeedMps, Priority priority, double least, double most) {}
+      double altitudeM,
+      double airspeedMps,
+      Priority priority,
+      double least,
+      double most,
+      double pullUpMps2) {}
 
   /** Quantity controlled by pitch. */
   enum Priority {
@@ -103,7 +109,12 @@ final class EnergyLaw {
     }
   }
 
+  private static final double ARRESTED_MPS = 0.5; // excess that may be left
+  private static final double PUSH_OVER_MPS2 = 4.0;
+  private static final double NOSE_PER_PATH = 2.0; // rates: the path lags behind the nose
+
   private final Variables parameters;
+  private boolean isArresting;
   private double filteredAirspeed = Double.NaN;
   private double climbDemand;
   private double pitchIntegral;
@@ -125,6 +136,39 @@ final class EnergyLaw {
     throttleIntegral = newThrottle;
   }
 
+  /**
+   * Arrests the climb or descent that another pilot or law left, as far as it is faster than
+   * allowed or leads away from the demanded altitude: pitch controls height alone, as fast as the
+   * airspeed allows, and the throttle is that of the flight path to come.
+   */
+  void arrest() {
+    isArresting = true;
+  }
+
+  /**
+   * Climb rate to take out of the motion that is being arrested [m/s], negative in a descent; 0
+   * once it is arrested.
+   *
+   * @param altitudeM demanded altitude above mean sea level [m]
+   */
+  double excessClimbMps(FlightState state, double altitudeM) {
+    double excess = state.climbMps() - arrestedMps(state.climbMps(), climbTo(state, altitudeM));
+    isArresting &= Math.abs(excess) > ARRESTED_MPS;
+    return isArresting ? excess : 0.0;
+  }
+
+  /** Nearest climb rate to the present one that leads to the demanded altitude, or keeps one. */
+  private static double arrestedMps(double presentMps, double wantedMps) {
+    return Limit.within(Math.min(0.0, wantedMps), presentMps, Math.max(0.0, wantedMps));
+  }
+
+  private double climbTo(FlightState state, double altitudeM) {
+    return Limit.within(
+        -parameters.sinkLimit(),
+        (altitudeM - state.altitudeM()) / parameters.altitudeTimeConstant(),
+        parameters.climbLimit());
+  }
+
   /** Ends a descent immediately instead of gradually. */
   void levelOff() {
     climbDemand = Math.max(0.0, climbDemand);
@@ -136,6 +180,7 @@ final class EnergyLaw {
   }
 
   void transfer(Transfer state) {
+    isArresting = state.flag("ARRESTING", isArresting);
     filteredAirspeed = state.number("FILTERED AIRSPEED", filteredAirspeed, Double.NaN);
     climbDemand = state.number("CLIMB DEMAND", climbDemand);
     pitchIntegral = state.number("PITCH INTEGRAL OF ENERGY", pitchIntegral);
@@ -156,26 +201,31 @@ final class EnergyLaw {
     double acceleration = acceleration(state, dtS);
     double path = flightPath(state);
 
-    double climb =
-        Limit.within(
-            -parameters.sinkLimit(),
-            (demand.altitudeM() - state.altitudeM()) / parameters.altitudeTimeConstant(),
-            parameters.climbLimit());
-    climbDemand = Limit.approach(climbDemand, climb, parameters.verticalAccelerationLimit() * dtS);
+    double excess = excessClimbMps(state, demand.altitudeM());
+    double climb = climbTo(state, demand.altitudeM());
+    boolean arrests = excess != 0.0;
+    double bending = excess < 0.0 ? demand.pullUpMps2() : arrests ? PUSH_OVER_MPS2 : 0.0;
+    double arrested = arrests ? arrestedMps(climbDemand, climb) : climbDemand;
+    double usualChange = parameters.verticalAccelerationLimit() * dtS;
+    climbDemand =
+        arrested == climbDemand
+            ? Limit.approach(climbDemand, climb, usualChange)
+            : Limit.approach(climbDemand, arrested, Math.max(usualChange, bending * dtS));
     double pathDemand = climbDemand / speed;
+    double pathToCome = arrests ? arrestedMps(climbDemand, climb) / speed : pathDemand;
     double accelerationDemand =
         Limit.symmetric(
                 (demand.airspeedMps() - filteredAirspeed) / parameters.speedTimeConstant(),
                 parameters.accelerationLimit())
             / Gravity.STANDARD_MPS2;
 
-    double usual = demand.priority().speedShare;
+    double usual = arrests ? Priority.HEIGHT.speedShare : demand.priority().speedShare;
     double speedShare = usual + (2.0 - usual) * urgency;
     double heightShare = 2.0 - speedShare;
     throttle =
         throttle(
             state,
-            pathDemand + accelerationDemand,
+            pathToCome + accelerationDemand,
             path + acceleration,
             demand.priority() == Priority.BOTH ? urgency : 1.0,
             dtS);
@@ -184,6 +234,10 @@ final class EnergyLaw {
             demand,
             heightShare * pathDemand - speedShare * accelerationDemand,
             heightShare * path - speedShare * acceleration,
+            Math.max(
+                    Math.toRadians(parameters.pitchDemandRateLimit()),
+                    NOSE_PER_PATH * bending / speed)
+                * dtS,
             dtS);
     return new Command(pitch, throttle);
   }
@@ -213,7 +267,7 @@ final class EnergyLaw {
     return Limit.approach(throttle, urgent, parameters.throttleRateLimit() * dtS);
   }
 
-  private double pitch(Demand demand, double demanded, double measured, double dtS) {
+  private double pitch(Demand demand, double demanded, double measured, double step, double dtS) {
     // A change of flight path changes the balance by twice as much, whatever the shares.
     double error = 0.5 * (demanded - measured);
     double direct = 0.5 * demanded + parameters.energyBalanceGain() * error;
@@ -224,7 +278,7 @@ final class EnergyLaw {
       pitchIntegral = Limit.within(demand.least() - 0.2, next, demand.most() + 0.2);
     }
     double wanted = Limit.within(demand.least(), direct + pitchIntegral, demand.most());
-    return Limit.approach(pitch, wanted, Math.toRadians(parameters.pitchDemandRateLimit()) * dtS);
+    return Limit.approach(pitch, wanted, step);
   }
 
   /** V̇/g of a low-passed airspeed: gusts are faster than the aircraft can respond. */

@@ -3,6 +3,7 @@ package org.u2sa.control.fixedwing;
 import java.util.Locale;
 import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.messages.frame.Gravity;
 
 /**
  * Speed limits, attitude limits and stall protection of the guidance. Stall speed grows with the
@@ -54,6 +55,10 @@ record GuidanceVariables(
     @Variable(unit = "deg", min = 5, max = 18, ifAbsent = 12)
         @Description("Maximum angle of attack; above it the nose is lowered by the excess.")
         double angleOfAttackLimit,
+    @Variable(min = 1.1, max = 3, ifAbsent = 1.7)
+        @Description(
+            "Maximum load factor at which a descent is arrested that a pilot or another control left.")
+        double pullUpLoad,
     @Variable(min = 0, max = 1, ifAbsent = 0.3)
         @Description(
             "Fraction of the wind speed added to the rotation speed and the minimum airspeed, as allowance for gusts near the ground (MIL-F-8785C: σ about 0.2).")
@@ -91,6 +96,17 @@ record GuidanceVariables(
   double bankLimitRad(FlightState state) {
     double ratio = stallMargin * stallSpeed / Math.max(1.0, state.calibratedAirspeedMps());
     return StrictMath.acos(Math.min(1.0, ratio * ratio));
+  }
+
+  /**
+   * Vertical acceleration with which a descent may be arrested at the current bank and airspeed
+   * [m/s²]; 0 if lift has none to spare. Lift grows with the square of the airspeed, so at the
+   * minimum airspeed of level flight the load factor is one.
+   */
+  double pullUpMps2(FlightState state) {
+    double ratio = state.calibratedAirspeedMps() / leastSpeedMps(0.0);
+    double load = Math.min(pullUpLoad, ratio * ratio);
+    return Gravity.STANDARD_MPS2 * Math.max(0.0, load * StrictMath.cos(state.rollRad()) - 1.0);
   }
 
   /** Maximum pitch that keeps the angle of attack within its limit [rad]. */

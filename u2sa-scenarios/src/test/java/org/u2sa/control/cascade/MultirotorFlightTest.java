@@ -129,6 +129,23 @@ class MultirotorFlightTest {
     }
   }
 
+  /** The rotors of the other control lift less than the weight. */
+  @Test
+  void swap_whileItFalls_brakesAtOnce() {
+    try (RotorFlight flight = new RotorFlight(6, Wind.calm())) {
+      flight.target = Point.of(0.0, 0.0, -30.0);
+      flight.fly(25.0);
+
+      flight.flyBlind(0.85 * flight.kit.percent("ROTOR 1"), 2.0);
+      double before = flight.lowestM(0.1);
+      double fall = flight.fastestMps(0.1);
+      flight.fly(8.0);
+
+      assertThat(fall).isGreaterThan(3.0);
+      assertThat(before - flight.lowestM(8.0)).isLessThan(2.0);
+    }
+  }
+
   @Test
   void weaken_oneRotorOfEight_flightGoesOn() {
     try (RotorFlight flight = new RotorFlight(8, Wind.calm())) {

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.u2sa.control.ControlSystem;
@@ -170,6 +171,36 @@ final class RotorFlight implements AutoCloseable {
     control = kit.swap(control, AllocatingControl::new);
   }
 
+  /** Another control takes over, which gives each rotor the same share [%] without feedback. */
+  void flyBlind(double percentage, double seconds) {
+    kit.withoutVariables();
+    ControlSystem blind = kit.swap(control, context -> new BlindControl(context, percentage));
+    fly(seconds);
+    kit.withoutVariables();
+    tuning().forEach(kit::with);
+    control = kit.swap(blind, AllocatingControl::new);
+  }
+
+  /** A control that lets the aircraft sink or rise. */
+  private final class BlindControl extends ControlSystem {
+    private final double percentage;
+
+    BlindControl(ServiceContext context, double percentage) {
+      super(context, "Control");
+      this.percentage = percentage;
+    }
+
+    @Override
+    protected void control(StateInformation state, Optional<NavigationPoint> point) {
+      aircraft.actuators().forEach(rotor -> command(rotor, percentage));
+    }
+
+    @Override
+    protected Map<String, Double> neutral() {
+      return Map.of();
+    }
+  }
+
   void fly(double seconds) {
     for (double end = kit.nowS() + seconds - 1e-9; kit.nowS() < end; ) {
       step(true);
@@ -218,6 +249,11 @@ final class RotorFlight implements AutoCloseable {
 
   private static Point ned(VehicleTruth truth) {
     return Point.of(truth.position().y(), truth.position().x(), -truth.position().z());
+  }
+
+  /** Lowest height in the last seconds [m]. */
+  double lowestM(double lastS) {
+    return lately(lastS).mapToDouble(each -> each.position().z()).min().orElseThrow();
   }
 
   /** Largest distance from the target in the last seconds [m]. */

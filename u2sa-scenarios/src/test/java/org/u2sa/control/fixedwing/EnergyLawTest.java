@@ -77,6 +77,66 @@ class EnergyLawTest {
     assertThat(after - before).isBetween(0.0, rate * DT_S + 1e-12);
   }
 
+  @Test
+  void arrest_inADescentToNowhere_demandsLevelFlightAtThePullUp() {
+    FlightState sinking = States.level().climb(-7.0).pitch(-0.15).now();
+    law.restart(sinking, -0.15, 0.6);
+    law.arrest();
+    run(sinking, demand(300.0, 43.0), 0.0, 20);
+    assertThat(law.climbDemandMps()).isCloseTo(-2.0, within(1e-9)); // 1 s of 5 m/s²
+    EnergyLaw.Command command = run(sinking, demand(300.0, 43.0), 0.0, 20);
+
+    assertThat(law.climbDemandMps()).isZero();
+    assertThat(command.pitchRad()).isGreaterThan(0.05);
+    assertThat(command.throttle()).isGreaterThan(0.6);
+  }
+
+  @Test
+  void arrest_sinksFasterThanAllowedToALowerAltitude_demandsTheSinkLimitAtOnce() {
+    FlightState sinking = States.level().climb(-7.0).pitch(-0.15).now();
+    law.restart(sinking, -0.15, 0.6);
+    law.arrest();
+    run(sinking, demand(100.0, 43.0), 0.0, 20);
+
+    assertThat(law.climbDemandMps())
+        .isCloseTo(-TestTuning.standard().energy().sinkLimit(), within(1e-9));
+  }
+
+  @Test
+  void arrest_climbsFarBeyondTheDemandedAltitude_demandsLevelFlightSoon() {
+    FlightState climbing = States.level().climb(8.0).pitch(0.2).now();
+    law.restart(climbing, 0.2, 0.6);
+    law.arrest();
+    run(climbing, demand(300.0, 43.0), 0.0, 40);
+
+    assertThat(law.climbDemandMps()).isZero();
+  }
+
+  @Test
+  void arrest_descentThatLeadsToTheDemandedAltitude_changesNothing() {
+    FlightState sinking = States.level().climb(-3.0).pitch(-0.02).now();
+    EnergyLaw usual = new EnergyLaw(TestTuning.standard().energy());
+    usual.restart(sinking, -0.02, 0.4);
+    law.restart(sinking, -0.02, 0.4);
+    law.arrest();
+
+    for (int i = 0; i < 20; i++) {
+      EnergyLaw.Command expected = usual.step(sinking, demand(288.0, 43.0), 0.0, DT_S);
+      assertThat(law.step(sinking, demand(288.0, 43.0), 0.0, DT_S)).isEqualTo(expected);
+    }
+  }
+
+  @Test
+  void arrest_atTheLeastSpeed_pitchServesTheSpeed() {
+    FlightState sinking = States.level().speed(31.0).climb(-7.0).pitch(-0.1).now();
+    law.restart(sinking, -0.1, 0.6);
+    law.arrest();
+    EnergyLaw.Command command = run(sinking, demand(300.0, 40.0), 1.0, 40);
+
+    assertThat(command.pitchRad()).isLessThan(0.0);
+    assertThat(command.throttle()).isEqualTo(1.0);
+  }
+
   private EnergyLaw.Command run(
       FlightState state, EnergyLaw.Demand demand, double urgency, int steps) {
     EnergyLaw.Command command = null;
@@ -87,6 +147,6 @@ class EnergyLawTest {
   }
 
   private static EnergyLaw.Demand demand(double altitudeM, double airspeedMps) {
-    return new EnergyLaw.Demand(altitudeM, airspeedMps, EnergyLaw.Priority.BOTH, LEAST, MOST);
+    return new EnergyLaw.Demand(altitudeM, airspeedMps, EnergyLaw.Priority.BOTH, LEAST, MOST, 5.0);
   }
 }

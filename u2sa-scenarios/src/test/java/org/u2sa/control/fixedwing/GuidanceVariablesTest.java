@@ -39,4 +39,16 @@ class GuidanceVariablesTest {
     FlightState mushing = States.level().pitch(0.2).alpha(Math.toRadians(15.0)).now();
     assertThat(guard.pitchLimitRad(mushing)).isCloseTo(0.2 - Math.toRadians(3.0), within(1e-9));
   }
+
+  @Test
+  void pullUp_slowFastAndBanked_isWhatLiftAndLoadLeave() {
+    double least = guard.leastSpeedMps(0.0);
+    assertThat(guard.pullUpMps2(States.level().speed(least).now())).isZero();
+    assertThat(guard.pullUpMps2(States.level().speed(1.2 * least).now()))
+        .isCloseTo(0.44 * 9.80665, within(1e-9));
+    assertThat(guard.pullUpMps2(States.level().speed(2.0 * least).now()))
+        .isCloseTo(0.7 * 9.80665, within(1e-9));
+    FlightState banked = States.level().speed(2.0 * least).roll(Math.toRadians(60.0)).now();
+    assertThat(guard.pullUpMps2(banked)).isZero();
+  }
 }

@@ -5,12 +5,16 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.safety.ManualState;
 import org.u2sa.service.Actuator;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.sim.flight.UnmannedAircraft;
@@ -26,6 +30,8 @@ final class SmallAircraftFlight implements AutoCloseable {
   final List<VehicleTruth> track = new ArrayList<>();
   final UnmannedAircraft aircraft;
   private final VehicleRun run;
+  private final Map<String, Object> tuning;
+  private CessnaControl control;
   private final Set<String> inverted; // actuators whose positive command deflects to the negative
 
   /**
@@ -39,8 +45,9 @@ final class SmallAircraftFlight implements AutoCloseable {
     for (String name : aircraft.actuators()) {
       kit.start(context -> new ActuatorService(context, name));
     }
+    this.tuning = tuning;
     tuning.forEach(kit::with);
-    kit.start(CessnaControl::new);
+    control = kit.start(CessnaControl::new);
   }
 
   /** The service of one actuator. */
@@ -62,6 +69,35 @@ final class SmallAircraftFlight implements AutoCloseable {
     }
   }
 
+  /**
+   * A pilot flies, then returns control.
+   *
+   * @param percentages of the actuators
+   */
+  void flyByHand(Point place, double seconds, Map<String, Double> percentages) {
+    for (double end = kit.nowS() + seconds - 1e-9; kit.nowS() < end; ) {
+      byHand(true);
+      percentages.forEach(
+          (actuator, percentage) ->
+              kit.send(Channels.ACTUATION, PercentageCommand.of(actuator, percentage)));
+      step(place);
+    }
+    byHand(false);
+  }
+
+  private void byHand(boolean active) {
+    kit.send(Channels.MANUAL_STATE, new ManualState().active(active).operator("ann").takeovers(1L));
+  }
+
+  /** The control ends, which leaves the surfaces neutral and the throttle closed, and restarts. */
+  void flyWithoutControl(Point place, double seconds) {
+    control.shutDown();
+    fly(place, seconds);
+    kit.withoutVariables();
+    tuning.forEach(kit::with);
+    control = kit.restart(control, CessnaControl::new);
+  }
+
   /** Flies to a place: east, north, up [m]; true if it passes within a distance. */
   boolean flyTo(Point place, double withinM, double atMostS) {
     for (double end = kit.nowS() + atMostS; kit.nowS() < end; ) {
@@ -71,6 +107,51 @@ final class SmallAircraftFlight implements AutoCloseable {
       }
     }
     return false;
+  }
+
+  /** Flies towards a place for a time. */
+  void fly(Point place, double seconds) {
+    for (double end = kit.nowS() + seconds - 1e-9; kit.nowS() < end; ) {
+      step(place);
+    }
+  }
+
+  /** Time passes without states. */
+  void flyUnseen(double seconds) {
+    for (double end = kit.nowS() + seconds - 1e-9; kit.nowS() < end; ) {
+      track.add(run.at(kit.clock().micros()));
+      kit.advance(STEP_S);
+    }
+  }
+
+  /** Newest truth. */
+  VehicleTruth now() {
+    return track.get(track.size() - 1);
+  }
+
+  /** Lowest altitude in the last seconds [m]. */
+  double lowestM(double lastS) {
+    return lately(lastS).mapToDouble(each -> each.position().z()).min().orElseThrow();
+  }
+
+  /** Lowest speed over ground in the last seconds [m/s]. */
+  double slowestMps(double lastS) {
+    return lately(lastS).mapToDouble(each -> each.velocity().distance()).min().orElseThrow();
+  }
+
+  /** Largest upward acceleration over 0.1 s in the last seconds [m/s²]. */
+  double hardestPullMps2(double lastS) {
+    List<Double> climbs = lately(lastS).map(each -> each.velocity().z()).toList();
+    int steps = 5;
+    return IntStream.range(steps, climbs.size())
+        .mapToDouble(i -> (climbs.get(i) - climbs.get(i - steps)) / (steps * STEP_S))
+        .max()
+        .orElseThrow();
+  }
+
+  private Stream<VehicleTruth> lately(double lastS) {
+    int count = (int) Math.round(lastS / STEP_S);
+    return track.subList(track.size() - count, track.size()).stream();
   }
 
   private VehicleTruth step(Point target) {
