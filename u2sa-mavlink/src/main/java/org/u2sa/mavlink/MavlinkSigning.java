@@ -82,25 +82,44 @@ public final class MavlinkSigning {
 
   /** Reason to reject a frame; empty if admitted, after which its timestamp is used up. */
   String refusal(byte[] frame) {
-    boolean isSigned = (frame[0] & 0xFF) == MAGIC_2 && frame[FLAGS] == SIGNED;
-    if (!isSigned) {
-      return "not signed";
+    String wrong = wrongSignature(frame);
+    if (!wrong.isEmpty()) {
+      return wrong;
     }
-    int end = frame.length - SIGNATURE;
-    byte[] signature = Arrays.copyOfRange(frame, end, frame.length);
-    if (!MessageDigest.isEqual(signature(frame), signature)) {
-      return "wrong signature";
-    }
-    int link = frame[end - TIMESTAMP - 1] & 0xFF;
-    int stream = (frame[SYSTEM] & 0xFF) << 2 * BYTE | (frame[SYSTEM + 1] & 0xFF) << BYTE | link;
-    long time = 0;
-    for (int i = end - 1; i >= end - TIMESTAMP; i--) {
-      time = time << BYTE | frame[i] & 0xFF; // the least significant byte comes first
-    }
-    String refusal = streams.refusal(stream, time, wallTicks());
+    long time = time(frame);
+    String refusal = streams.refusal(stream(frame), time, wallTicks());
     if (refusal.isEmpty()) {
       newest = Math.max(newest, Math.min(time, LATEST));
     }
     return refusal;
+  }
+
+  /** Whether a frame would be admitted; its timestamp is not used up. */
+  boolean isAdmissible(byte[] frame) {
+    return wrongSignature(frame).isEmpty()
+        && !streams.isOutdated(stream(frame), time(frame), wallTicks());
+  }
+
+  private String wrongSignature(byte[] frame) {
+    boolean isSigned = (frame[0] & 0xFF) == MAGIC_2 && frame[FLAGS] == SIGNED;
+    if (!isSigned) {
+      return "not signed";
+    }
+    byte[] signature = Arrays.copyOfRange(frame, frame.length - SIGNATURE, frame.length);
+    return MessageDigest.isEqual(signature(frame), signature) ? "" : "wrong signature";
+  }
+
+  private static int stream(byte[] frame) {
+    int link = frame[frame.length - SIGNATURE - TIMESTAMP - 1] & 0xFF;
+    return (frame[SYSTEM] & 0xFF) << 2 * BYTE | (frame[SYSTEM + 1] & 0xFF) << BYTE | link;
+  }
+
+  private static long time(byte[] frame) {
+    int end = frame.length - SIGNATURE;
+    long time = 0;
+    for (int i = end - 1; i >= end - TIMESTAMP; i--) {
+      time = time << BYTE | frame[i] & 0xFF; // the least significant byte comes first
+    }
+    return time;
   }
 }

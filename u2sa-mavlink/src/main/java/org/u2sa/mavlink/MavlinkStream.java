@@ -72,6 +72,11 @@ public final class MavlinkStream {
     return partial;
   }
 
+  /** Whether a whole frame's signature would be accepted now, or none is needed. */
+  public boolean isAdmissible(byte[] frame) {
+    return signing.map(each -> each.isAdmissible(frame)).orElse(true);
+  }
+
   /** Whether a partial frame waits for its rest. */
   public boolean isPartial() {
     return pending.length > 0;

@@ -29,9 +29,9 @@ final class SignedStreams {
   synchronized String refusal(int stream, long time, long now) {
     Map<Integer, Long> streams =
         systems.computeIfAbsent(stream >> SYSTEM_SHIFT, system -> new HashMap<>());
-    long oldest = (now > 0 ? now : newest) - NEW_STREAM_TICKS;
+    long oldest = oldest(now);
     Long before = streams.get(stream);
-    if (before == null ? time < oldest : time <= before) {
+    if (isOutdated(before, time, oldest)) {
       return "outdated signature";
     }
     if (before == null && streams.size() >= MAX_STREAMS) {
@@ -43,5 +43,19 @@ final class SignedStreams {
     streams.put(stream, time);
     newest = Math.max(newest, time);
     return "";
+  }
+
+  /** Whether a packet would be rejected because of its timestamp, which is not used up. */
+  synchronized boolean isOutdated(int stream, long time, long now) {
+    Map<Integer, Long> streams = systems.getOrDefault(stream >> SYSTEM_SHIFT, Map.of());
+    return isOutdated(streams.get(stream), time, oldest(now));
+  }
+
+  private long oldest(long now) {
+    return (now > 0 ? now : newest) - NEW_STREAM_TICKS;
+  }
+
+  private static boolean isOutdated(Long before, long time, long oldest) {
+    return before == null ? time < oldest : time <= before;
   }
 }

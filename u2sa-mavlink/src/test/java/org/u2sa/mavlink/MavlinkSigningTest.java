@@ -49,6 +49,17 @@ class MavlinkSigningTest {
   }
 
   @Test
+  void isAdmissible_asAccept_withoutUsingUpTheTimestamp() {
+    byte[] packet = ping(stream(255, "secret", clock));
+    assertThat(vehicle.isAdmissible(packet)).isTrue();
+    assertThat(vehicle.isAdmissible(ping(stream(255, "guess", clock)))).isFalse();
+    assertThat(vehicle.isAdmissible(ping(new MavlinkStream(255, 1)))).isFalse();
+    assertThat(heard(packet)).hasSize(1);
+    assertThat(vehicle.isAdmissible(packet)).isFalse();
+    assertThat(new MavlinkStream(1, 1).isAdmissible(packet)).isTrue();
+  }
+
+  @Test
   void accept_otherKeyOrUnsigned_isRefused() {
     assertThat(heard(ping(stream(255, "guess", clock)))).isEmpty();
     assertThat(vehicle.lastRefusal()).isEqualTo("Ping: wrong signature");

@@ -15,6 +15,7 @@ import org.u2sa.core.communication.limit.Allowance;
 import org.u2sa.core.communication.limit.BrokerLimits;
 import org.u2sa.core.communication.limit.CostlyTime;
 import org.u2sa.core.communication.limit.PendingConnections;
+import org.u2sa.core.communication.limit.WorkQueue;
 import org.u2sa.core.communication.routing.RemoteSubscriptions;
 import org.u2sa.core.communication.routing.RetainedTable;
 import org.u2sa.interfaces.time.Clock;
@@ -34,7 +35,8 @@ final class BrokerState implements AutoCloseable {
   final Authenticator authenticator; // null likewise
   private final byte[] pass = newPass();
   private final AtomicLong kept = new AtomicLong();
-  final PendingConnections<Client> pending = new PendingConnections<>();
+  final PendingConnections<Client> pending = new PendingConnections<>(); // of the MQTT port
+  final PendingConnections<Client> webPending = pending.ofAnotherPort();
   private final AtomicLong dropped = new AtomicLong();
   final ClientTable clients;
   final RetainedTable retained;
@@ -46,6 +48,7 @@ final class BrokerState implements AutoCloseable {
       MemoryBudget.ofClients(4, 256 << 20, TOO_SLOW);
   final Allowance beyondShares; // of all clients; confined to the network thread
   final CostlyTime costlyTime; // of all clients; confined to the network thread
+  final WorkQueue webTurns; // of clients that have not logged in; confined to the network thread
   final RemoteSubscriptions subscriptions = new RemoteSubscriptions();
   final MessageRouter router;
   final SourceNames sources;
@@ -73,6 +76,7 @@ final class BrokerState implements AutoCloseable {
     double totalPerS = limits.totalMessagesPerSecond();
     beyondShares = new Allowance(totalPerS, TOTAL_BURST_S * totalPerS, clock.micros());
     costlyTime = new CostlyTime(clock.micros());
+    webTurns = new WorkQueue(clock::micros);
   }
 
   private static byte[] newPass() {

@@ -24,7 +24,9 @@ import org.u2sa.core.communication.access.SourceNames;
 import org.u2sa.core.communication.access.Users;
 import org.u2sa.core.communication.limit.Allowance;
 import org.u2sa.core.communication.limit.BrokerLimits;
+import org.u2sa.core.communication.limit.PendingConnections;
 import org.u2sa.core.communication.routing.Publication;
+import org.u2sa.core.communication.web.WebSession;
 import org.u2sa.core.security.AccessRole;
 import org.u2sa.core.security.User;
 import org.u2sa.interfaces.mqtt.ClientIds;
@@ -33,7 +35,8 @@ import org.u2sa.interfaces.mqtt.ClientIds;
  * One client's session: authenticates the client, then filters each of its packets before Moquette
  * sees it. Confined to its connection's thread.
  */
-final class ClientSession extends ChannelInboundHandlerAdapter implements Client, Inflow.Gate {
+final class ClientSession extends ChannelInboundHandlerAdapter
+    implements Client, Inflow.Gate, WebSession {
   private enum Stage {
     STRANGER,
     CHECKED, // password check pending
@@ -43,6 +46,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
 
   private final BrokerState broker;
   private final Outflow outflow;
+  private final PendingConnections<Client> pending; // of its port
   private final String connection;
   private final Allowance pings;
   private Inflow inflow;
@@ -63,8 +67,16 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
   private volatile ChannelHandlerContext context;
 
   ClientSession(BrokerState broker, Outflow outflow) {
+    this(broker, outflow, broker.pending);
+  }
+
+  /**
+   * @param pending the connections of its port that have not identified themselves
+   */
+  ClientSession(BrokerState broker, Outflow outflow, PendingConnections<Client> pending) {
     this.broker = broker;
     this.outflow = outflow;
+    this.pending = pending;
     connection = broker.clients.newConnection();
     pings =
         new Allowance(
@@ -141,7 +153,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
     context = ctx;
     since = broker.nowMicros();
     from = ((InetSocketAddress) ctx.channel().remoteAddress()).getAddress();
-    for (Client longest : broker.pending.add(this, from)) {
+    for (Client longest : pending.add(this, from)) {
       longest.putOutFor("pending connection closed in favour of a newer one");
     }
     watch = ctx.executor().scheduleAtFixedRate(() -> look(ctx), 1, 1, TimeUnit.SECONDS);
@@ -203,6 +215,11 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
   public void putOutFor(String kind) {
     ChannelHandlerContext ctx = context;
     Client.execute(ctx.executor(), () -> putOut(ctx, kind, ""));
+  }
+
+  @Override
+  public void putOut(String why) {
+    putOut(why, "");
   }
 
   @Override
@@ -323,7 +340,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
     user = known.get();
     name = user.name();
     if (isOperator()) { // the account's user, not anonymous
-      broker.pending.proven(this);
+      pending.proven(this);
     }
     admit(ctx, said);
   }
@@ -343,7 +360,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
       return;
     }
     user = verdict.user().get();
-    broker.pending.proven(this);
+    pending.proven(this);
     admit(ctx, said);
     ctx.fireChannelReadComplete();
   }
@@ -366,7 +383,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
     subscriptions = new ClientSubscriptions(broker, its, name, connection);
     packets = new PacketFilter(broker, its, subscriptions, who(), this);
     inflow.hold();
-    broker.pending.remove(this);
+    pending.remove(this);
     outflow.admitted(user, clientId);
     // A rejected will does not reject the client: every U2SA client has a will, even an observer.
     Optional<String> refused = last.flatMap(its::refusalOfWill);
@@ -417,7 +434,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
   public void handlerRemoved(ChannelHandlerContext ctx) {
     stage = Stage.OUT;
     watch.cancel(false);
-    broker.pending.remove(this);
+    pending.remove(this);
     broker.unsent.set(this, 0);
     broker.leave(clientId, this);
     if (rules != null) {

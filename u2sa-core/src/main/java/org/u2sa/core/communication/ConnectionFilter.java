@@ -6,6 +6,7 @@ import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInboundHandlerAdapter;
 import io.netty.channel.ChannelOption;
 import io.netty.channel.WriteBufferWaterMark;
+import io.netty.handler.codec.http.HttpServerCodec;
 import io.netty.util.AttributeKey;
 import java.net.InetSocketAddress;
 import java.net.SocketAddress;
@@ -18,9 +19,8 @@ import org.u2sa.core.communication.access.Users;
 import org.u2sa.core.communication.limit.AcceptRate;
 import org.u2sa.core.communication.limit.Allowance;
 import org.u2sa.core.communication.limit.BrokerLimits;
-import org.u2sa.core.communication.web.SameOrigin;
 import org.u2sa.core.communication.web.WebConnection;
-import org.u2sa.core.communication.web.WebResponses;
+import org.u2sa.core.communication.web.WebInput;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.MessageCodec;
 
@@ -47,6 +47,9 @@ final class ConnectionFilter implements AutoCloseable {
 
   static final double ENCRYPTED_PER_S = 200.0; // each handshake costs milliseconds
 
+  /** The web port's, which needs few: a browser opens six. */
+  static final double WEB_ACCEPTED_PER_S = 400.0;
+
   /** Further connections refused per second; the rest wait in the listen backlog. */
   private static final double REFUSED_PER_S = 20_000.0;
 
@@ -63,8 +66,7 @@ final class ConnectionFilter implements AutoCloseable {
   private final Clock clock;
   private final Encryption encryption; // null: plain text
   private final AtomicInteger open = new AtomicInteger();
-  private WebResponses page; // null: no web port
-  private SameOrigin pageOrigin;
+  private WebPort web; // null: none
 
   /**
    * @param users the known users; null lets anyone connect without a password
@@ -83,9 +85,16 @@ final class ConnectionFilter implements AutoCloseable {
   }
 
   /** Serves the operator's page on the web port; call before the filter is installed. */
-  void serve(WebResponses responses, SameOrigin origin) {
-    page = responses;
-    pageOrigin = origin;
+  void serve(WebPort port) {
+    web = port;
+  }
+
+  /** First handler of a listening socket's pipeline. */
+  Acceptor acceptor(SocketAddress listening) {
+    return new Acceptor(
+        web != null
+            && listening instanceof InetSocketAddress address
+            && address.getPort() == web.address().getPort());
   }
 
   /**
@@ -112,10 +121,19 @@ final class ConnectionFilter implements AutoCloseable {
 
   /** First handler of the listening socket's pipeline; receives each new connection. */
   final class Acceptor extends ChannelInboundHandlerAdapter {
-    private final AcceptRate rate =
-        new AcceptRate(encryption == null ? ACCEPTED_PER_S : ENCRYPTED_PER_S, broker.nowMicros());
+    private final AcceptRate rate;
+    private final int most; // connections of all ports
     private final Allowance refused =
         new Allowance(REFUSED_PER_S, REFUSED_AT_ONCE, broker.nowMicros());
+
+    private Acceptor(boolean isWeb) {
+      double perS = isWeb ? WEB_ACCEPTED_PER_S : ACCEPTED_PER_S;
+      rate =
+          new AcceptRate(
+              encryption == null ? perS : Math.min(perS, ENCRYPTED_PER_S), broker.nowMicros());
+      // Those of the web port leave room for as many of the MQTT port.
+      most = broker.limits.maxClients() + (isWeb ? 1 : 2) * BrokerLimits.PENDING;
+    }
 
     @Override
     public void channelRead(ChannelHandlerContext ctx, Object message) {
@@ -131,8 +149,7 @@ final class ConnectionFilter implements AutoCloseable {
         return;
       }
       // Pending and admitted connections are counted apart; this bounds both together.
-      if (open.incrementAndGet() > broker.limits.maxClients() + 2 * BrokerLimits.PENDING
-          || broker.isEnding()) {
+      if (open.incrementAndGet() > most || broker.isEnding()) {
         open.decrementAndGet();
         broker.refusals.add(
             "connection refused, " + (broker.isEnding() ? "the broker ends" : "too many"),
@@ -188,7 +205,9 @@ final class ConnectionFilter implements AutoCloseable {
     @Override
     public void channelActive(ChannelHandlerContext ctx) {
       Outflow outflow = new Outflow(broker);
-      ClientSession session = new ClientSession(broker, outflow);
+      boolean isWeb = ctx.pipeline().get(WEB_SOCKET) != null;
+      ClientSession session =
+          new ClientSession(broker, outflow, isWeb ? broker.webPending : broker.pending);
       Inflow inflow = new Inflow(broker, session);
       session.inflow(inflow);
       for (String unused : MOQUETTES_OBSERVERS) {
@@ -202,12 +221,14 @@ final class ConnectionFilter implements AutoCloseable {
                 ((InetSocketAddress) ctx.channel().remoteAddress()).getAddress()));
       }
       ctx.pipeline().addFirst(new ReceivedBytes(session, inflow));
-      if (ctx.pipeline().get(WEB_SOCKET) != null) {
+      if (isWeb) {
+        WebConnection connection = new WebConnection(web.page(), web.origin(), session);
         ctx.pipeline()
-            .addAfter(
-                "aggregator",
-                "u2sa-web",
-                new WebConnection(page, pageOrigin, why -> session.putOut(why, "")));
+            .addBefore(
+                ctx.pipeline().context(HttpServerCodec.class).name(),
+                "u2sa-web-input",
+                new WebInput(broker.webTurns, connection, session));
+        ctx.pipeline().addBefore("aggregator", "u2sa-web", connection);
       }
       ctx.pipeline()
           .addBefore(

@@ -75,7 +75,7 @@ final class EmbeddedBroker implements AutoCloseable {
     ConnectionFilter filter =
         new ConnectionFilter(
             limits, codec, new SystemClock(), security.users(log), security.encryption(), log);
-    web.ifPresent(port -> filter.serve(port.page(), port.origin()));
+    web.ifPresent(filter::serve);
     EmbeddedBroker broker = new EmbeddedBroker(bus, codec, address, filter, log, died);
     try {
       broker.server.startServer(

@@ -112,7 +112,7 @@ final class FilterInstaller {
       Channel channel = channels.next();
       if (channel instanceof ServerChannel) {
         putOnThread(one, channel);
-        channel.pipeline().addFirst(filter.new Acceptor());
+        channel.pipeline().addFirst(filter.acceptor(channel.localAddress()));
         installed++;
       }
     }

@@ -13,7 +13,8 @@ import org.junit.jupiter.api.Test;
 /** What the listening socket does while the process has no file descriptor left. */
 class AcceptorTest {
   private final PacketPipeline client = new PacketPipeline();
-  private final EmbeddedChannel listening = new EmbeddedChannel(client.filter.new Acceptor());
+  private final EmbeddedChannel listening =
+      new EmbeddedChannel(client.filter.acceptor(new InetSocketAddress("127.0.0.1", 1_883)));
 
   @AfterEach
   void close() {
@@ -52,6 +53,10 @@ class AcceptorTest {
 
   /** Connections with an address, as the listening socket gives them. */
   private int accepted(int connections) {
+    return accepted(listening, connections);
+  }
+
+  private static int accepted(EmbeddedChannel listening, int connections) {
     int accepted = 0;
     for (int i = 0; i < connections; i++) {
       EmbeddedChannel child =
@@ -80,6 +85,19 @@ class AcceptorTest {
 
     client.pass(100);
     assertThat(accepted(most)).isEqualTo(most / 10);
+  }
+
+  @Test
+  void channelRead_moreAtTheWebPort_areRefusedAndLeaveTheMqttPortItsRate() {
+    client.filter.serve(WebPortTest.web(8_080, false));
+    EmbeddedChannel web =
+        new EmbeddedChannel(client.filter.acceptor(new InetSocketAddress("127.0.0.1", 8_080)));
+    int most = (int) ConnectionFilter.WEB_ACCEPTED_PER_S / 2;
+    assertThat(accepted(web, 2 * most)).isEqualTo(most);
+
+    int mqtt = (int) ConnectionFilter.ACCEPTED_PER_S / 2;
+    assertThat(accepted(mqtt)).isEqualTo(mqtt);
+    web.finishAndReleaseAll();
   }
 
   @Test

@@ -3,7 +3,9 @@ package org.u2sa.core.communication;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.net.Socket;
+import java.net.SocketException;
 import java.nio.charset.StandardCharsets;
+import java.util.regex.Pattern;
 
 /** Sends HTTP requests as no browser would, and reads what comes until the server closes. */
 final class HttpExchange {
@@ -21,6 +23,26 @@ final class HttpExchange {
         unconnected,
         port,
         "GET / HTTP/1.1\r\nHost: localhost:" + port + "\r\nConnection: close\r\n\r\n");
+  }
+
+  /** Number of answers to some text, until the server ends the connection. */
+  static int answers(int port, String text) throws IOException {
+    StringBuilder all = new StringBuilder();
+    try (Socket socket = new Socket("127.0.0.1", port)) {
+      socket.setSoTimeout(20_000);
+      socket.getOutputStream().write(text.getBytes(StandardCharsets.US_ASCII));
+      byte[] part = new byte[65_536];
+      for (int n = 0; n >= 0; n = socket.getInputStream().read(part)) {
+        all.append(new String(part, 0, n, StandardCharsets.ISO_8859_1));
+      }
+    } catch (SocketException e) { // it ends without having read everything
+      return answers(all);
+    }
+    return answers(all);
+  }
+
+  private static int answers(CharSequence received) {
+    return (int) Pattern.compile("HTTP/1.1 ").matcher(received).results().count();
   }
 
   private static String raw(Socket unconnected, int port, String text) throws IOException {

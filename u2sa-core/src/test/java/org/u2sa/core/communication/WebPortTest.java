@@ -10,6 +10,7 @@ import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
@@ -239,6 +240,30 @@ class WebPortTest {
       deaf.getOutputStream().write(request.repeat(700).getBytes(StandardCharsets.US_ASCII));
 
       soon().until(() -> log.stream().anyMatch(line -> line.contains("without waiting for the")));
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource({"GET /a.js", "HEAD /", "GET /none", "POST /", "GET /mqtt", "G"})
+  void requests_thatDoNotWait_areNotAnsweredBeyondTheFirst(String request) throws IOException {
+    String one = request + " HTTP/1.1\r\n" + host + "\r\n\r\n";
+
+    assertThat(HttpExchange.answers(port, one.repeat(300))).isLessThanOrEqualTo(1);
+  }
+
+  @Test
+  void connections_moreThanOfOneAddress_displaceNoneOfTheMqttPort() throws IOException {
+    try (RawClient operator = new RawClient(address.getPort())) {
+      List<Socket> flood = new ArrayList<>();
+      for (int i = 0; i <= BrokerLimits.PENDING_PER_ADDRESS; i++) {
+        flood.add(new Socket("127.0.0.1", port));
+      }
+      soon().until(() -> log.stream().anyMatch(line -> line.contains("in favour of a newer one")));
+
+      assertThat(operator.introduce("operator")).isZero();
+      for (Socket each : flood) {
+        each.close();
+      }
     }
   }
 

@@ -57,8 +57,13 @@ final class StationInput {
     }
   }
 
+  /**
+   * Handles what looks like a stop. A sender without the key must not use up the allowance for
+   * stops, so the signature is checked first: one SHA-256 for each, which takes less time than
+   * receiving them, and a link reads a limited number of bytes in a turn.
+   */
   private void stop(byte[] frame, long micros) {
-    if (stopAllowance.left(micros) > 0) {
+    if (stream.isAdmissible(frame) && stopAllowance.left(micros) > 0) {
       parse(frame, frame.length, stopAllowance);
       stream.reset(); // it may look like one and be none
     }

@@ -15,13 +15,14 @@ import java.util.Set;
 /**
  * Rejects web pages other than viewers: a browser lets any page connect to this host, and
  * identifies it in the Origin header (RFC 6455, section 10.2). Programs other than browsers send
- * none.
+ * none. Only a connection's first request is answered, because the next one is no handshake either.
  */
 final class OriginCheck extends ChannelInboundHandlerAdapter {
   private static final Set<String> USUAL = Set.of("https://app.foxglove.dev", "file://");
   private static final Set<String> THIS_HOST = Set.of("localhost", "127.0.0.1", "[::1]");
 
   private final Set<String> others;
+  private boolean isAsked; // a request has come
 
   /** Accepts these origins in addition to the default ones and this host's; "*" for all. */
   OriginCheck(Set<String> others) {
@@ -30,10 +31,17 @@ final class OriginCheck extends ChannelInboundHandlerAdapter {
 
   @Override
   public void channelRead(ChannelHandlerContext context, Object message) {
-    String origin =
-        message instanceof HttpRequest request
-            ? request.headers().get(HttpHeaderNames.ORIGIN)
-            : null;
+    if (!(message instanceof HttpRequest request)) {
+      context.fireChannelRead(message);
+      return;
+    }
+    if (isAsked) {
+      ReferenceCountUtil.release(message);
+      context.close();
+      return;
+    }
+    isAsked = true;
+    String origin = request.headers().get(HttpHeaderNames.ORIGIN);
     if (origin == null || isAllowed(origin)) {
       context.fireChannelRead(message);
       return;

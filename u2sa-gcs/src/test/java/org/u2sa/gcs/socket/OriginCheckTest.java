@@ -2,13 +2,18 @@ package org.u2sa.gcs.socket;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.netty.buffer.ByteBuf;
+import io.netty.buffer.Unpooled;
 import io.netty.channel.embedded.EmbeddedChannel;
 import io.netty.handler.codec.http.DefaultFullHttpRequest;
 import io.netty.handler.codec.http.FullHttpRequest;
 import io.netty.handler.codec.http.FullHttpResponse;
 import io.netty.handler.codec.http.HttpHeaderNames;
 import io.netty.handler.codec.http.HttpMethod;
+import io.netty.handler.codec.http.HttpObjectAggregator;
+import io.netty.handler.codec.http.HttpServerCodec;
 import io.netty.handler.codec.http.HttpVersion;
+import java.nio.charset.StandardCharsets;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -65,6 +70,26 @@ class OriginCheckTest {
       })
   void channelRead_otherPage_isRefused(String origin) {
     assertThat(passes(origin)).isFalse();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"https://evil.example", "http://localhost"})
+  void channelRead_manyRequestsAtOnce_onlyTheFirstIsAnsweredOrPasses(String origin) {
+    EmbeddedChannel channel =
+        new EmbeddedChannel(
+            new HttpServerCodec(), new HttpObjectAggregator(1_024), new OriginCheck(Set.of()));
+    String request = "GET / HTTP/1.1\r\nOrigin: " + origin + "\r\n\r\n";
+    channel.writeInbound(Unpooled.copiedBuffer(request.repeat(100), StandardCharsets.US_ASCII));
+
+    String answers = "";
+    for (ByteBuf part = channel.readOutbound(); part != null; part = channel.readOutbound()) {
+      answers += part.toString(StandardCharsets.US_ASCII);
+      part.release();
+    }
+    assertThat(channel.inboundMessages().size() + answers.split("HTTP/1.1 403", -1).length - 1)
+        .isEqualTo(1);
+    assertThat(channel.isOpen()).isFalse();
+    channel.finishAndReleaseAll();
   }
 
   @Test

@@ -19,8 +19,21 @@ public final class PendingConnections<C> {
   private static final int NETWORKS_REMEMBERED = 1_024;
 
   private final Map<C, String> waiting = new LinkedHashMap<>(); // oldest first
-  private final Map<String, Boolean> known = // a set, least recently seen first
-      new RecentlyUsed<>(NETWORKS_REMEMBERED);
+  private final Map<String, Boolean> known; // a set, least recently seen first; guarded by itself
+
+  /** Starts without known networks. */
+  public PendingConnections() {
+    this(new RecentlyUsed<>(NETWORKS_REMEMBERED));
+  }
+
+  private PendingConnections(Map<String, Boolean> known) {
+    this.known = known;
+  }
+
+  /** The connections of another port: neither displace the other's, and both know the networks. */
+  public PendingConnections<C> ofAnotherPort() {
+    return new PendingConnections<>(known);
+  }
 
   /** Adds a connection, and returns those it displaces. */
   public synchronized List<C> add(C connection, InetAddress from) {
@@ -37,7 +50,7 @@ public final class PendingConnections<C> {
           byNetwork.entrySet().stream()
               .max( // the oldest on ties
                   Comparator.<Map.Entry<String, List<C>>>comparingInt(
-                          entry -> known.containsKey(entry.getKey()) ? 0 : 1)
+                          entry -> isRemembered(entry.getKey()) ? 0 : 1)
                       .thenComparingInt(entry -> entry.getValue().size()))
               .orElseThrow()
               .getValue()
@@ -52,13 +65,23 @@ public final class PendingConnections<C> {
   public synchronized void proven(C connection) {
     String network = waiting.remove(connection);
     if (network != null) {
-      known.put(network, true);
+      synchronized (known) {
+        known.put(network, true);
+      }
+    }
+  }
+
+  private boolean isRemembered(String network) {
+    synchronized (known) {
+      return known.containsKey(network);
     }
   }
 
   /** Whether the network has had a successful login. */
-  public synchronized boolean isKnown(InetAddress from) {
-    return known.get(SourceNetwork.of(from)) != null; // the look-up marks it as seen
+  public boolean isKnown(InetAddress from) {
+    synchronized (known) {
+      return known.get(SourceNetwork.of(from)) != null; // the look-up marks it as seen
+    }
   }
 
   /** Forgets a connection, which has logged in or ended. */

@@ -3,7 +3,6 @@ package org.u2sa.core.communication.web;
 import io.netty.channel.ChannelFutureListener;
 import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInboundHandlerAdapter;
-import io.netty.handler.codec.http.FullHttpRequest;
 import io.netty.handler.codec.http.FullHttpResponse;
 import io.netty.handler.codec.http.HttpHeaderNames;
 import io.netty.handler.codec.http.HttpHeaderValues;
@@ -20,7 +19,6 @@ import java.util.Set;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
-import java.util.function.Consumer;
 
 /**
  * One connection to the operator's page: serves files until the page opens its MQTT WebSocket, and
@@ -33,6 +31,10 @@ public final class WebConnection extends ChannelInboundHandlerAdapter {
   /** Longest WebSocket frame [bytes]; an MQTT packet may span several. */
   public static final int LONGEST_FRAME = 16 * 1_024;
 
+  /** Reason to end a connection. */
+  static final String NOT_AWAITED =
+      "connection closed, HTTP requests sent without waiting for the answers";
+
   /** Timeout; shorter than the broker's for connections that do not log in. */
   private static final long FILES_WITHIN_MS = 8_000;
 
@@ -40,18 +42,31 @@ public final class WebConnection extends ChannelInboundHandlerAdapter {
 
   private final WebResponses responses;
   private final SameOrigin origin;
-  private final Consumer<String> putOut;
+  private final WebSession session;
+  private boolean isFollowed; // more bytes came with the request
   private boolean isAnswering; // a response has not been sent completely
   private boolean isUpgraded;
   private ScheduledFuture<?> end;
 
-  /**
-   * @param putOut ends the connection, and logs why
-   */
-  public WebConnection(WebResponses responses, SameOrigin origin, Consumer<String> putOut) {
+  /** Creates the handler of a new connection. */
+  public WebConnection(WebResponses responses, SameOrigin origin, WebSession session) {
     this.responses = responses;
     this.origin = origin;
-    this.putOut = putOut;
+    this.session = session;
+  }
+
+  /** Whether a request has not been answered completely, or was the last one. */
+  boolean isBusy() {
+    return isAnswering || isUpgraded;
+  }
+
+  /**
+   * Announces a request.
+   *
+   * @param followed whether the client sent more with it, which is not passed on
+   */
+  void expect(boolean followed) {
+    isFollowed = followed;
   }
 
   @Override
@@ -68,16 +83,26 @@ public final class WebConnection extends ChannelInboundHandlerAdapter {
   public void channelRead(ChannelHandlerContext ctx, Object message) {
     if (message instanceof WebSocketFrame frame) {
       frame(ctx, frame);
-    } else if (message instanceof FullHttpRequest request && isUpgrade(request)) {
+    } else if (message instanceof HttpRequest request) {
+      request(ctx, request);
+    } else if (isUpgraded) {
+      ctx.fireChannelRead(message); // end of the upgrade's request
+    } else {
+      ReferenceCountUtil.release(message);
+    }
+  }
+
+  private void request(ChannelHandlerContext ctx, HttpRequest request) {
+    if (isUpgrade(request)) {
       isUpgraded = true;
       end.cancel(false);
-      ctx.fireChannelRead(message);
-    } else {
-      try {
-        answer(ctx, message);
-      } finally {
-        ReferenceCountUtil.release(message);
-      }
+      ctx.fireChannelRead(request);
+      return;
+    }
+    try {
+      answer(ctx, request);
+    } finally {
+      ReferenceCountUtil.release(request);
     }
   }
 
@@ -91,13 +116,13 @@ public final class WebConnection extends ChannelInboundHandlerAdapter {
       ctx.fireChannelRead(frame);
     } else {
       frame.release();
-      putOut.accept("connection closed, WebSocket frame is not binary or is incomplete");
+      session.putOut("connection closed, WebSocket frame is not binary or is incomplete");
     }
   }
 
-  private boolean isUpgrade(FullHttpRequest request) {
-    return !isUpgraded
-        && !isAnswering
+  private boolean isUpgrade(HttpRequest request) {
+    return !isBusy()
+        && !isFollowed
         && request.decoderResult().isSuccess()
         && request.uri().equals(MQTT_PATH)
         && request.method().equals(HttpMethod.GET)
@@ -108,14 +133,14 @@ public final class WebConnection extends ChannelInboundHandlerAdapter {
         && origin.isOwnPage(request.headers());
   }
 
-  private void answer(ChannelHandlerContext ctx, Object message) {
-    if (isAnswering || isUpgraded || !(message instanceof HttpRequest request)) {
-      putOut.accept("connection closed, HTTP requests sent without waiting for the answers");
+  private void answer(ChannelHandlerContext ctx, HttpRequest request) {
+    Optional<HttpResponseStatus> refusal = refusal(request);
+    if (isBusy() || isFollowed && refusal.isEmpty()) {
+      session.putOut(NOT_AWAITED);
       return;
     }
     isAnswering = true;
     boolean isKeepAlive = HttpUtil.isKeepAlive(request);
-    Optional<HttpResponseStatus> refusal = refusal(request);
     if (refusal.isPresent()) {
       send(ctx, WebResponses.error(refusal.get()), isKeepAlive);
     } else {

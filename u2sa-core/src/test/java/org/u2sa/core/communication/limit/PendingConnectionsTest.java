@@ -44,4 +44,15 @@ class PendingConnectionsTest {
     }
     assertThat(pending.add("last", address("192.0.2.1"))).containsExactly("own 0");
   }
+
+  @Test
+  void ofAnotherPort_flood_displacesNoneOfThisPortAndKnowsItsNetworks() throws Exception {
+    PendingConnections<String> web = pending.ofAnotherPort();
+    pending.add("pilot", address("192.0.2.1"));
+    for (int i = 0; i < 10 * BrokerLimits.PENDING; i++) {
+      assertThat(web.add("flood " + i, address("192.0.2.1"))).doesNotContain("pilot");
+    }
+    pending.proven("pilot");
+    assertThat(web.isKnown(address("192.0.2.1"))).isTrue();
+  }
 }
