@@ -204,7 +204,8 @@ class WebInputTest {
     send("first ");
     session.isPending = false; // logged in meanwhile
     send("second");
-    assertThat((Object) channel.readInbound()).isNull();
+    Object early = channel.readInbound();
+    assertThat(early).isNull();
     pass(600);
     assertThat(inbound()).isEqualTo("first second");
     send("third");
