@@ -118,6 +118,7 @@ final class FilterState {
   long constraintMicros;
   long movingMicros; // when the direction of motion became usable as heading
   long turnedMicros = Long.MIN_VALUE / 2; // when wheels last measured a turn
+  boolean slipsInTurns; // a heading has contradicted a turn that only wheels measured
   long slidingMicros; // since when the no-sideslip constraint is refused; 0: it is met
   long accusedMicros; // when an inertial source was found faulty; 0: never
   long reopenedMicros = Long.MIN_VALUE / 2; // when the velocity was lost; until it is measured
@@ -189,6 +190,7 @@ final class FilterState {
     constraintMicros = o.constraintMicros;
     movingMicros = o.movingMicros;
     turnedMicros = o.turnedMicros;
+    slipsInTurns = o.slipsInTurns;
     slidingMicros = o.slidingMicros;
     accusedMicros = o.accusedMicros;
     resets = o.resets;

@@ -39,7 +39,7 @@ final class Fuser {
   private final RefusedScatter scatter;
   private final InertialContradiction contradiction;
   private final DepthPriority depths;
-  private final SlopeSlip slopes;
+  private final WheelSlip slip;
   private final QuantityStart starts;
   private final PersistentErrors persistent;
   private final DelayErrors delays;
@@ -54,13 +54,13 @@ final class Fuser {
     this.process = process;
     vote = new InertialVote(tuning, trust);
     inertial = new InertialInput(tuning);
-    motion = new MotionInput(tuning, trust);
+    slip = new WheelSlip(tuning);
+    motion = new MotionInput(tuning, trust, slip);
     judge = new SourceJudge(tuning, trust);
     doubts = new SpeedDoubt(trust);
     scatter = new RefusedScatter(tuning);
     contradiction = new InertialContradiction(tuning, trust);
     depths = new DepthPriority(trust);
-    slopes = new SlopeSlip(tuning);
     starts = new QuantityStart(tuning);
     persistent = new PersistentErrors(tuning);
     delays = new DelayErrors(tuning);
@@ -154,13 +154,13 @@ final class Fuser {
         quantity == SensedQuantity.BODY_VELOCITY && m.has(SensedQuantity.BODY_VELOCITY, 0);
     if (isForward) {
       HeadingSearch.speed(s, m);
-      slopes.alongTheWay(s, s.trust[trust.of(s, source) + SourceTrust.INTERVAL]);
+      slip.alongTheWay(s, s.trust[trust.of(s, source) + SourceTrust.INTERVAL]);
     }
     if (!isReadable || !model.look(s, m, quantity) || linear.rows == 0) {
       return;
     }
     if (quantity == SensedQuantity.BODY_VELOCITY) {
-      slopes.widen(s, m, linear, s.trust[trust.of(s, source) + SourceTrust.INTERVAL]);
+      slip.widen(s, m, linear, s.trust[trust.of(s, source) + SourceTrust.INTERVAL]);
     }
     if (quantity == SensedQuantity.SPECIFIC_FORCE) {
       double own = accelerationVariance(s);
@@ -242,7 +242,10 @@ final class Fuser {
       update.prepare(s, linear, factor);
     } else if (nis > gates[linear.rows]) {
       boolean mustGiveWay = judge.gated(s, linear, source, quantity, at);
-      mustGiveWay |= isHeading && isTurnDoubted(s, at);
+      if (isHeading && isTurnDoubted(s, at)) {
+        mustGiveWay = true;
+        s.slipsInTurns = true;
+      }
       mustGiveWay |= quantity == SensedQuantity.ALTITUDE && isPressureDoubted(s, m, at);
       if (contradiction.isOfHeading(s, quantity, at)) {
         contradiction.turnHeading(s);
@@ -549,7 +552,7 @@ final class Fuser {
     if (isGround && InertialInput.isAided(s, SPEED_FRESH_S) || isInFlow) {
       s.constraintMicros = s.micros;
       model.noSlip(s, tuning.sideSlipSigma(), !isGround, isGround);
-      linear.variance[0] += slopes.acrossVariance(s, tuning.constraintS());
+      linear.variance[0] += slip.acrossVariance(s, tuning.constraintS());
       if (update.prepare(s, linear, 1.0) <= gates[linear.rows]) {
         update.apply(s, linear);
         s.slidingMicros = 0;

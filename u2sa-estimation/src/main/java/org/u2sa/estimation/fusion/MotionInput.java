@@ -8,9 +8,9 @@ import org.u2sa.estimation.rotation.Quaternions;
  * Uses measured forward speed and turn rate as inputs of the prediction if no inertial sensor
  * drives it (velocity motion model, Thrun, Burgard and Fox 2005, section 5.3): the newest values
  * are held until the next arrive, their errors are independent between samples and along the
- * vehicle's axes, and on the ground the vehicle moves where its wheels point. Values that arrive
- * too rarely, or are noisier than the filter's assumptions without them, are fused as measurements
- * instead.
+ * vehicle's axes, and on the ground the vehicle moves where its wheels point, but for slip in
+ * turns. Values that arrive too rarely, or are noisier than the filter's assumptions without them,
+ * are fused as measurements instead.
  */
 final class MotionInput {
   private static final double SHORTEST_S = 0.15; // minimum hold time of an input
@@ -26,13 +26,15 @@ final class MotionInput {
 
   private final FilterTuning tuning;
   private final SourceTrust trust;
+  private final WheelSlip slip;
   private final Transition f = new Transition();
   private final double[] r = new double[9];
   private final double[] variance = new double[3];
 
-  MotionInput(FilterTuning tuning, SourceTrust trust) {
+  MotionInput(FilterTuning tuning, SourceTrust trust, WheelSlip slip) {
     this.tuning = tuning;
     this.trust = trust;
+    this.slip = slip;
   }
 
   /** Drops inputs that were not renewed. */
@@ -203,13 +205,15 @@ final class MotionInput {
     double change = isRenewed ? measured - s.heldMps : 0.0;
     s.heldMps = measured;
     s.heldMicros = s.micros;
-    double slip = tuning.sideSlipSigma() * Math.min(1.0, SLOW_MPS + Math.abs(forward));
+    double sideways = tuning.sideSlipSigma() * Math.min(1.0, SLOW_MPS + Math.abs(forward));
     for (int axis = 0; axis < 3; axis++) {
       boolean isMeasured = m.has(SensedQuantity.BODY_VELOCITY, axis);
       double claim = factor * square(m.sigma(SensedQuantity.BODY_VELOCITY, axis));
-      variance[axis] = isMeasured && axis == 0 ? claim : Math.max(claim, square(slip));
+      variance[axis] = isMeasured && axis == 0 ? claim : Math.max(claim, square(sideways));
     }
-    variance[0] += change * change / UNIFORM;
+    double interval = intervalS(s, s.speedSource);
+    variance[0] += change * change / UNIFORM + slip.turnAlongVariance(s, m, interval);
+    variance[1] += slip.turnAcrossVariance(s, m, interval);
     f.reset();
     for (int i = 0; i < 3; i++) {
       x[FilterState.V + i] = r[3 * i] * forward;
