@@ -221,10 +221,14 @@ final class QuantityStart {
     }
   }
 
-  /** Learns the offset of a rejected altitude, if the estimate is better known than it claims. */
+  /**
+   * Learns the offset of an altitude that is rated biased, or less certain than the estimate by its
+   * own claim.
+   */
   static void learnOffset(FilterState s, Linearization model, int at) {
     double reference = s.variance(FilterState.POSITION + 2) + s.x[FilterState.ALTITUDE_ERROR];
-    if (reference < model.variance[0]) {
+    boolean isBiased = s.trust[at + SourceTrust.IS_BIASED] != 0.0;
+    if (isBiased || reference < model.variance[0]) {
       KnownOffset.learn(
           s.trust,
           at + SourceTrust.KNOWN_OFFSET,

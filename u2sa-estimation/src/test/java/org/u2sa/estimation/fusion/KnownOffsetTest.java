@@ -22,6 +22,7 @@ class KnownOffsetTest {
   private double climbMps;
   private double goalMps; // of the climb
   private double worstM; // error of the altitude
+  private double receiverM = 0.02; // claim of the receiver's altitudes
 
   private double gauss(double sigma) {
     return sigma * random.nextGaussian();
@@ -50,7 +51,7 @@ class KnownOffsetTest {
       }
       if (hasReceiver && micros % 200_000 == 0) {
         m.begin("GPS", micros).place(57.7 + gauss(1e-7), -43.2 + gauss(1e-7), 0.02, 0.02);
-        m.altitude(altitude + gauss(0.02), 0.02);
+        m.altitude(altitude + gauss(0.2 * receiverM), receiverM);
         filter.add(m.velocity(gauss(0.03), gauss(0.03), -climbMps + gauss(0.03), 0.03));
       }
       Estimate e = filter.at(micros);
@@ -99,6 +100,20 @@ class KnownOffsetTest {
     assertThat(filter.resets()).isZero();
     hover(150.0, offM, false);
     assertThat(worstM).isLessThan(2.0);
+  }
+
+  /** Its altitudes are less certain than the barometer claims to be. */
+  @ParameterizedTest
+  @ValueSource(doubles = {60.0, -60.0})
+  void add_poorReceiverLost_barometerIsUsedWithItsOffset(double offM) {
+    receiverM = 7.0;
+    hover(60.0, offM, true);
+    assertThat(barometer()).startsWith("biased");
+    hover(75.0, offM, false);
+    assertThat(worstM).isLessThan(10.0);
+    hover(90.0, offM, true);
+    assertThat(worstM).isLessThan(10.0);
+    assertThat(filter.resets()).isLessThanOrEqualTo(1);
   }
 
   @Test

@@ -45,7 +45,7 @@ public final class HybridAStar {
    */
   private static final double GREED = 1.3;
 
-  /** Extra cost of a metre in reverse over ground that was never seen: it may be occupied. */
+  /** Extra cost of a metre straight back over ground that was never seen: it may be occupied. */
   private static final double UNSEEN_PENALTY = 10.0;
 
   private static final double ALIGNED_RAD = Math.toRadians(5.0);
@@ -284,6 +284,9 @@ public final class HybridAStar {
       }
       if (lengthM < 0.0 && body.isRearUnseen(grid, at.northM(), at.eastM(), at.headingRad())) {
         unseen++;
+      }
+      if (unseen > 0 && curvature != 0.0) {
+        return Double.POSITIVE_INFINITY; // walls beside it are as unseen
       }
       double here = grid.cost(at.northM(), at.eastM());
       sum += here == Double.POSITIVE_INFINITY ? 1.0 + grid.inflation().weight() : here;

@@ -75,6 +75,32 @@ class HybridAStarProperties {
     assertThat(backwardsM(true)).isLessThan(1.0);
   }
 
+  /** It starts in a dead end: there is no other way than back. */
+  @Test
+  void plan_deadEndAndNothingSeenBehind_backsOutStraight() {
+    GridFrame frame = new GridFrame(0.0, 0.0, CELL, 60, 60);
+    CostGrid costs = new CostGrid(frame, new Inflation(0.4, 0.9, 3.0));
+    costs.update(
+        i -> frame.centreNorthM(i) > 7.2 && frame.centreNorthM(i) < 7.6,
+        i -> frame.centreNorthM(i) < 6.2);
+    HybridAStar.Goal goal = new HybridAStar.Goal(3.0, 8.0, OptionalDouble.empty(), 0.4);
+    HybridAStar.Way way =
+        new HybridAStar()
+            .plan(
+                costs,
+                BODY,
+                CLEARANCE,
+                HybridAStar.Motion.of(RADIUS, true),
+                new Pose(6.0, 6.0, 0.0),
+                goal)
+            .orElseThrow();
+
+    assertThat(way.samples())
+        .filteredOn(Curve.Sample::backwards)
+        .isNotEmpty()
+        .allMatch(sample -> Math.abs(Pose.wrapped(sample.pose().headingRad())) < 1.0e-9);
+  }
+
   /** Length of the way in reverse to a goal 3 m behind [m]. */
   private static double backwardsM(boolean unseen) {
     GridFrame frame = new GridFrame(0.0, 0.0, CELL, 60, 60);
