@@ -13,6 +13,7 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
 import java.util.Arrays;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.RunFailedException;
@@ -62,7 +63,7 @@ public final class ReportFile {
     refuse(file, isMcap(file));
     Path temporary = file.resolveSibling("." + file.getFileName() + ".part");
     try {
-      try (OutputStream out = Files.newOutputStream(temporary)) {
+      try (OutputStream out = newOutputStream(temporary)) {
         content.writeTo(out);
       }
       Files.move(
@@ -70,6 +71,15 @@ public final class ReportFile {
     } catch (IOException e) {
       throw notWritten(file, discard(temporary, e));
     }
+  }
+
+  /**
+   * Opens a file for writing in place of one of that name, or of a link: in a shared folder it may
+   * be somebody else's, and lead to a file of this account.
+   */
+  public static OutputStream newOutputStream(Path file) throws IOException {
+    Files.deleteIfExists(file);
+    return Files.newOutputStream(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
   }
 
   /** Error for a file that cannot be written. */

@@ -55,4 +55,14 @@ class ReportFileTest {
     ReportFile.writeText(file, out -> out.write("<html>"));
     assertThat(file).hasContent("<html>");
   }
+
+  @Test
+  void write_linkInPlaceOfTheTemporaryFile_itsTargetStays() throws IOException {
+    Path target = Files.writeString(directory.resolve("target"), "kept");
+    Files.createSymbolicLink(directory.resolve(".map.svg.part"), target);
+    ReportFile.writeText(directory.resolve("map.svg"), out -> out.write("map"));
+
+    assertThat(target).hasContent("kept");
+    assertThat(directory.resolve("map.svg")).hasContent("map");
+  }
 }

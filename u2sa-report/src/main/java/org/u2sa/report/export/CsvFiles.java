@@ -1,8 +1,13 @@
 package org.u2sa.report.export;
 
+import java.io.BufferedWriter;
 import java.io.IOException;
+import java.io.OutputStream;
+import java.io.OutputStreamWriter;
 import java.io.Writer;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.OpenOption;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
@@ -32,15 +37,22 @@ final class CsvFiles implements AutoCloseable {
   }
 
   CsvFiles() {
-    this(Files::newBufferedWriter);
+    this(CsvFiles::opened);
   }
 
   CsvFiles(Opener opener) {
     this.opener = opener;
   }
 
+  private static Writer opened(Path file, OpenOption... how) throws IOException {
+    OutputStream out =
+        how.length == 0 ? ReportFile.newOutputStream(file) : Files.newOutputStream(file, how);
+    return new BufferedWriter(new OutputStreamWriter(out, StandardCharsets.UTF_8));
+  }
+
   /**
-   * Appends text to a file, which is created or truncated at the first call.
+   * Appends text to a file, which is created at the first call in place of one of that name, or of
+   * a link.
    *
    * @throws RunFailedException if a file cannot be written
    */
@@ -59,7 +71,11 @@ final class CsvFiles implements AutoCloseable {
       writer =
           begun.add(file)
               ? opener.open(file)
-              : opener.open(file, StandardOpenOption.WRITE, StandardOpenOption.APPEND);
+              : opener.open(
+                  file,
+                  StandardOpenOption.WRITE,
+                  StandardOpenOption.APPEND,
+                  LinkOption.NOFOLLOW_LINKS);
       open.put(file, writer);
     }
     writer.write(text);

@@ -49,6 +49,19 @@ class CsvFilesTest {
     }
   }
 
+  /** In a shared folder the link may be somebody else's. */
+  @Test
+  void write_linkOfThatName_isReplacedAndItsTargetStays() throws IOException {
+    Path target = Files.writeString(folder.resolve("target"), "kept");
+    Path file = Files.createSymbolicLink(folder.resolve("state.csv"), target);
+    try (CsvFiles files = new CsvFiles()) {
+      files.write(file, "1\n");
+    }
+    assertThat(target).hasContent("kept");
+    assertThat(file).hasContent("1\n");
+    assertThat(Files.isSymbolicLink(file)).isFalse();
+  }
+
   @Test
   void close_diskFull_namesTheFile() {
     CsvFiles files =

@@ -1,11 +1,14 @@
 package org.u2sa.trials.board;
 
+import java.io.BufferedWriter;
 import java.io.IOException;
+import java.io.OutputStreamWriter;
 import java.io.PrintWriter;
 import java.io.Writer;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -23,6 +26,7 @@ import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.mission.Home;
 import org.u2sa.mission.Mission;
+import org.u2sa.report.ReportFile;
 import org.u2sa.report.export.TrackCsv;
 import org.u2sa.report.score.Domain;
 import org.u2sa.report.score.TrackSample;
@@ -284,7 +288,9 @@ final class BoardCommand implements Callable<Integer> {
       return Writer.nullWriter();
     }
     Files.createDirectories(out);
-    return Files.newBufferedWriter(out.resolve("track.csv"));
+    return new BufferedWriter(
+        new OutputStreamWriter(
+            ReportFile.newOutputStream(out.resolve("track.csv")), StandardCharsets.UTF_8));
   }
 
   private void watch(
