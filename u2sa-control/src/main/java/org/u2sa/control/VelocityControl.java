@@ -3,6 +3,7 @@ package org.u2sa.control;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
@@ -15,8 +16,8 @@ import org.u2sa.service.ServiceContext;
 /**
  * Controls a vehicle that regulates its own velocity, such as one with an ArduPilot or PX4
  * autopilot: converts the vector to the navigation point to speeds along the vehicle's axes and a
- * turn rate. In: navigation, state. Out: actuation of FORWARD SPEED, LEFT SPEED, CLIMB SPEED and
- * TURN RATE.
+ * turn rate; near the point, to the turn wanted there. In: navigation, state. Out: actuation of
+ * FORWARD SPEED, LEFT SPEED, CLIMB SPEED and TURN RATE.
  *
  * <p>Without fresh navigation all four are 0 and the vehicle stops.
  */
@@ -86,8 +87,18 @@ public final class VelocityControl extends ControlSystem {
     command(LEFT, share * leftPercent);
     command(CLIMB, share * climbPercent);
     boolean faces = Math.hypot(toGo.x(), toGo.y()) >= now.facingDistance();
-    double turn = faces ? now.turnGain() * toGo.azimuth() : 0.0;
+    double turn = now.turnGain() * (faces ? toGo.azimuth() : leftRad(point.get(), state));
     command(TURN, percent(turn, now.fullTurn()));
+  }
+
+  /** Remainder of the turn wanted at a point [rad], left positive; 0 if any heading will do. */
+  private double leftRad(NavigationPoint point, StateInformation now) {
+    OptionalDouble then = stateOf(point).map(StateInformation::psi).orElse(OptionalDouble.empty());
+    if (point.turn().isEmpty() || then.isEmpty()) {
+      return 0.0;
+    }
+    double wanted = then.getAsDouble() + point.turn().getAsDouble();
+    return Math.IEEEremainder(now.psi().orElseThrow() - wanted, 2.0 * Math.PI);
   }
 
   private static double percent(double value, double full) {

@@ -80,6 +80,20 @@ class VelocityControlTest {
     assertPercents(0.0, -8.0, 0.0, 0.0); // 0.8/s of 0.5 m: 0.4 of 5 m/s
   }
 
+  /** It has made half of the turn to the right already. */
+  @Test
+  void control_turnWantedAtThePoint_turnsByTheRest() {
+    start();
+    go(0.0, NavigationPoint.at(Point.ORIGIN).turn(0.2), 0.1);
+    assertThat(kit.percent("TURN RATE")).isLessThan(-1.0);
+    kit.advance(0.1);
+    go(0.0, NavigationPoint.at(Point.ORIGIN).turn(0.2), 0.3);
+    assertThat(kit.percent("TURN RATE")).isGreaterThan(1.0);
+    kit.advance(0.1);
+    go(0.0, NavigationPoint.at(Point.ORIGIN).turn(0.2), 0.2);
+    assertPercents(0.0, 0.0, 0.0, 0.0);
+  }
+
   @Test
   void control_notSideways_onlyForward() {
     kit.with("SIDEWAYS", false);

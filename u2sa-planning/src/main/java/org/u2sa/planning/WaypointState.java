@@ -47,8 +47,6 @@ final class WaypointState implements PlannerState {
   /** Below this speed the vehicle counts as stopped [m/s]. */
   private static final double CREEPS_MPS = 0.1;
 
-  private static final double TURNS_TO_M = 2.0; // distance of the point to turn towards
-
   /** Time that a vehicle that can stop stays at a waypoint that is its own successor [µs]. */
   private static final long STAYS_MICROS = Clock.MICROS_PER_SECOND;
 
@@ -298,8 +296,8 @@ final class WaypointState implements PlannerState {
         return new Plan(
             List.of(), Plan.Progress.ABANDONED, "given up: no room to turn to its heading");
       }
-      Point there = Point.of(TURNS_TO_M * Math.cos(psi), TURNS_TO_M * Math.sin(psi), downM);
-      NavigationPoint turn = NavigationPoint.at(vehicle.body(there)).speed(CREEPS_MPS);
+      Point here = Point.of(0.0, 0.0, downM);
+      NavigationPoint turn = NavigationPoint.at(vehicle.body(here)).speed(CREEPS_MPS);
       return Plan.unless(step.givenUp(), List.of(turn.turn(turnRad)));
     }
     Point to = vehicle.nedOf(target);
