@@ -12,6 +12,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.guidance.WaypointGuidance;
+import org.u2sa.planning.station.HoldingPlace;
 import org.u2sa.service.handover.HandOver;
 
 /** Behaviour of a planner without a goal: hold a position, or do nothing. */
@@ -24,6 +25,7 @@ final class EndOfMission {
   private final WaypointGuidance guidance;
   private final UnaryOperator<Place> raised;
   private final StationCircle circle;
+  private final Detour detour;
   private final SurfaceHold surface;
   private Optional<Place> held = Optional.empty(); // position, or centre of the circle
   private OptionalLong brakesMicros = OptionalLong.empty(); // since when
@@ -32,7 +34,7 @@ final class EndOfMission {
    * @param drifts whether the vehicle drifts, so that it never comes to rest
    * @param raised changes the altitude of a place that is too low
    * @param circle of a vehicle that cannot stop
-   * @param detour looks whether the way back to a held position is free
+   * @param detour looks whether places, and the way back to a held position, are free
    */
   EndOfMission(
       Supplier<PlanningVariables> settings,
@@ -41,6 +43,7 @@ final class EndOfMission {
       UnaryOperator<Place> raised,
       StationCircle circle,
       Detour detour) {
+    this.detour = detour;
     surface = new SurfaceHold(detour);
     this.raised = raised;
     this.circle = circle;
@@ -92,7 +95,12 @@ final class EndOfMission {
     if (held.isEmpty()) {
       Optional<Place> given = place.filter(Place::isHorizontal);
       Place about = raised.apply(given.orElse(vehicle.place()).orAltitudeOf(vehicle.place()));
-      held = Optional.of(circle.freest(about, given.isEmpty(), state, vehicle));
+      HoldingPlace places =
+          new HoldingPlace(
+              settings.get().loiterRadius(),
+              each -> detour.isClosedAt(vehicle, state, each),
+              each -> detour.isInsideFence(vehicle, state, each));
+      held = Optional.of(places.near(about, given.isEmpty(), vehicle));
     }
     return circle.hold(held.get(), state, vehicle);
   }

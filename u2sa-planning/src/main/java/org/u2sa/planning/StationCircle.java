@@ -5,9 +5,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.DoubleSupplier;
-import java.util.function.Predicate;
 import java.util.function.Supplier;
-import java.util.stream.IntStream;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
@@ -28,7 +26,7 @@ import org.u2sa.service.handover.HandOver;
  * A {@link Station} of a vehicle that cannot stop: a circle around it. Duration and turns count
  * from the arrival on the circle at the altitude of the station, even if the vehicle has to evade
  * later. Where the circle is obstructed, the vehicle goes around to a later part of it. A vehicle
- * that holds circles likewise, without end, and chooses a circle with room.
+ * that holds circles likewise, without end.
  */
 final class StationCircle {
   private static final double LOOKS_AHEAD_RAD =
@@ -46,9 +44,6 @@ final class StationCircle {
   private static final double LEAVES_RAD = Math.toRadians(12.0); // lead to the next goal's course
 
   private static final String HOLD = "hold"; // UID of the station
-  private static final int GROUND_STEP_DEG = 5;
-  private static final double[] HIGHER_M = {0.0, 25.0, 50.0, 100.0, 200.0}; // when holding
-  private static final double[] ASIDE = {0.0, 1.0, -1.0}; // likewise, in radii to the right
 
   /** A longer part of a circle is not flown around: there may be no room to turn away. */
   private static final int MAX_HIGH_GROUND_DEG = 60;
@@ -102,37 +97,6 @@ final class StationCircle {
   void leave() {
     circle = null;
     place = Optional.empty();
-  }
-
-  /**
-   * Centre of a circle on which to hold that is closed along no part or, if there is none, along
-   * the shortest: about a position, beside it, and at greater altitudes.
-   *
-   * @param aside whether the circle may be beside the position
-   */
-  Place freest(Place about, boolean aside, StateInformation state, Vehicle vehicle) {
-    Place best = about;
-    long least = Long.MAX_VALUE;
-    for (double higherM : HIGHER_M) {
-      for (double radii : ASIDE) {
-        double sideM = radii * radiusM.get();
-        double course = vehicle.courseRad();
-        Place level = about.moved(-sideM * Math.sin(course), sideM * Math.cos(course));
-        Place centre =
-            level.upM().isPresent() ? level.at(level.upM().getAsDouble() + higherM) : level;
-        boolean isPossible = aside || radii == 0.0;
-        if (isPossible && (higherM == 0.0 || detour.isInsideFence(vehicle, state, centre))) {
-          LoiterCircle round = new LoiterCircle(centre, radiusM.get(), vehicle);
-          long closed = closedDeg(round, each -> detour.isClosedAt(vehicle, state, each));
-          best = closed < least ? centre : best;
-          least = Math.min(closed, least);
-        }
-        if (least == 0) {
-          return best;
-        }
-      }
-    }
-    return best;
   }
 
   /** The next step of a vehicle that holds on the circle about a place. */
@@ -218,7 +182,7 @@ final class StationCircle {
     }
     boolean isNew = sinceMicros == Long.MIN_VALUE && !endless;
     long highDeg =
-        isNew ? closedDeg(circle, at -> detour.isGroundAt(vehicle, state, at, centre)) : 0;
+        isNew ? circle.closedDeg(at -> detour.isGroundAt(vehicle, state, at, centre)) : 0;
     if (highDeg > MAX_HIGH_GROUND_DEG) {
       String why = "given up: the ground is too high along " + highDeg + " degrees of the circle";
       return new Plan(List.of(point), Plan.Progress.ABANDONED, why);
@@ -236,15 +200,6 @@ final class StationCircle {
       enter(1, vehicle);
     }
     return entry == 0 ? Plan.underWay(List.of(point)) : around(station, state, vehicle, point);
-  }
-
-  /** Part of a circle whose places are closed [degrees]. */
-  private static long closedDeg(LoiterCircle round, Predicate<Place> isClosed) {
-    return GROUND_STEP_DEG
-        * IntStream.range(0, 360 / GROUND_STEP_DEG)
-            .mapToObj(i -> round.at(Math.toRadians(i * GROUND_STEP_DEG)))
-            .filter(isClosed)
-            .count();
   }
 
   /** Whether the way to the circle or along it is obstructed. */

@@ -86,7 +86,7 @@ public final class LocalSystems {
                 console.accept(
                     "Commands that look there find this system only with --broker "
                         + reached
-                        + " only: "
+                        + ": "
                         + failure));
     return file::close;
   }

@@ -1,6 +1,8 @@
 package org.u2sa.planning.guidance;
 
 import java.util.Optional;
+import java.util.function.Predicate;
+import java.util.stream.IntStream;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.service.handover.HandOver;
 
@@ -11,6 +13,7 @@ import org.u2sa.service.handover.HandOver;
  */
 public final class LoiterCircle {
   private static final double FARTHEST_AHEAD_RAD = 1.0;
+  private static final int STEP_DEG = 5; // between places that are compared
 
   private final Place centre;
   private final double radiusM;
@@ -99,6 +102,15 @@ public final class LoiterCircle {
    */
   public Place at(double bearingRad) {
     return centre.moved(radiusM * Math.cos(bearingRad), radiusM * Math.sin(bearingRad));
+  }
+
+  /** Part of the circle whose places are closed [degrees]. */
+  public long closedDeg(Predicate<Place> isClosed) {
+    return STEP_DEG
+        * IntStream.range(0, 360 / STEP_DEG)
+            .mapToObj(i -> at(Math.toRadians(i * STEP_DEG)))
+            .filter(isClosed)
+            .count();
   }
 
   /** Course along the circle at a direction from the centre [rad]. */
