@@ -344,7 +344,8 @@ public final class RemoteSystem {
     return "u2sa-" + command.name();
   }
 
-  private void tell(String trouble) {
+  /** Writes trouble to the standard error. */
+  public void tell(String trouble) {
     PrintWriter err = command.commandLine().getErr();
     err.println("u2sa: " + trouble);
     err.flush();

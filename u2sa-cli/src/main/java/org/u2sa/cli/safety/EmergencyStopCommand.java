@@ -17,7 +17,10 @@ import org.u2sa.gcs.remote.Unanswered;
 import org.u2sa.gcs.safety.StopConfirmation;
 import org.u2sa.gcs.safety.StopOrder;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.communication.CommunicationException;
+import org.u2sa.interfaces.mqtt.failure.ConnectFailure;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.safety.EmergencyStop;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -49,6 +52,7 @@ public final class EmergencyStopCommand extends BaseCommand {
    */
   private static final double LISTEN_S = 1.2;
 
+  private static final double CONNECTS_WITHIN_S = 20.0; // to a broker that is there
   private static final int MAX_LINES = 30; // an attacker can announce thousands of services
 
   @Mixin private RemoteSystem remote;
@@ -101,7 +105,7 @@ public final class EmergencyStopCommand extends BaseCommand {
   }
 
   private int stop(RemoteSystem at) throws InterruptedException {
-    try (RemoteLink link = at.connectToAll();
+    try (RemoteLink link = connect(at);
         Clock.Waiter waiter = link.clock().newWaiter("stops")) {
       StopOrder order = new StopOrder(link, waiter, Operator.name(), reason);
       at.known().forEach(order::send);
@@ -130,6 +134,22 @@ public final class EmergencyStopCommand extends BaseCommand {
         worst = Math.max(worst, ExitCode.FAILED);
       }
       return worst;
+    }
+  }
+
+  /** Connects, again and again if the broker is there but too busy to answer. */
+  private static RemoteLink connect(RemoteSystem at) throws InterruptedException {
+    Clock clock = new SystemClock();
+    long until = clock.micros() + Clock.micros(CONNECTS_WITHIN_S);
+    while (true) {
+      try {
+        return at.connectToAll();
+      } catch (CommunicationException e) {
+        if (clock.micros() > until || !ConnectFailure.isPassing(e)) {
+          throw e;
+        }
+        at.tell("the broker at " + at.brokerAddress() + " does not answer yet: trying again");
+      }
     }
   }
 

@@ -1,6 +1,7 @@
 package org.u2sa.cli.safety;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
 
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -11,6 +12,7 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -24,6 +26,7 @@ import org.u2sa.gcs.remote.LocalSystems;
 import org.u2sa.interfaces.mqtt.AccountFolders;
 import org.u2sa.interfaces.mqtt.LocalToken;
 import org.u2sa.testkit.FreePort;
+import org.u2sa.testkit.TcpRelay;
 import picocli.CommandLine;
 
 /** The operator's commands on a system in a process of its own. */
@@ -100,6 +103,34 @@ class SafetyCommandsTest {
           .contains(buoy.systemId() + ": Emergency stop, confirmed by Buoy");
       assertThat(run(new EmergencyStopCommand(), "--clear")).isEqualTo(ExitCode.DONE);
     }
+  }
+
+  @Test
+  void estop_brokerTooBusyAtFirst_triesAgain() throws Exception {
+    StringWriter err = new StringWriter();
+    try (TcpRelay relay = new TcpRelay(foreign.port())) {
+      relay.cut(); // ends each connection without an answer
+      Thread calm =
+          new Thread(
+              () -> {
+                await().atMost(1, TimeUnit.MINUTES).until(() -> err.toString().contains("again"));
+                relay.restore();
+              });
+      calm.start();
+      CommandLine line = new CommandLine(new EmergencyStopCommand());
+      line.setOut(new PrintWriter(out, true)).setErr(new PrintWriter(err, true));
+      String broker = "127.0.0.1:" + relay.port();
+      Path tokens = AccountFolders.ofProcess().all().get(0);
+      Path token = tokens.resolve(LocalToken.fileName("127.0.0.1", relay.port()));
+      Files.copy(tokens.resolve(LocalToken.fileName("127.0.0.1", foreign.port())), token);
+
+      assertThat(line.execute("--broker", broker, "--system", "boat", "--timeout", "2"))
+          .isEqualTo(ExitCode.DONE);
+      calm.join();
+      Files.delete(token);
+    }
+    assertThat(err.toString()).contains("does not answer yet: trying again");
+    assertThat(run(new EmergencyStopCommand(), "--clear")).isEqualTo(ExitCode.DONE);
   }
 
   @Test

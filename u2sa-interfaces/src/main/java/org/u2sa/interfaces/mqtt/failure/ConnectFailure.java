@@ -1,5 +1,7 @@
 package org.u2sa.interfaces.mqtt.failure;
 
+import java.net.ConnectException;
+import java.net.SocketTimeoutException;
 import java.security.cert.CertPathValidatorException;
 import java.security.cert.CertPathValidatorException.BasicReason;
 import java.security.cert.Certificate;
@@ -48,6 +50,20 @@ public final class ConnectFailure {
             address, reason)
         : String.format(
             "cannot join the Communication Manager at %s: %s; %s", address, reason, advice);
+  }
+
+  /**
+   * Whether a broker is there but did not answer in time, or ended the connection without an
+   * answer, as one does under a flood: another attempt may succeed.
+   */
+  public static boolean isPassing(Throwable failure) {
+    Optional<MqttException> mqtt = find(failure, MqttException.class);
+    return mqtt.isPresent()
+        && find(failure, ConnectException.class).isEmpty()
+        && find(failure, SSLException.class).isEmpty()
+        && (isCode(mqtt.get(), MqttException.REASON_CODE_CLIENT_TIMEOUT)
+            || isCode(mqtt.get(), MqttException.REASON_CODE_CONNECTION_LOST)
+            || find(failure, SocketTimeoutException.class).isPresent());
   }
 
   /** What the broker's answer means; empty if unknown. */

@@ -2,8 +2,11 @@ package org.u2sa.interfaces.mqtt.failure;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.EOFException;
 import java.io.IOException;
+import java.net.ConnectException;
 import java.net.ServerSocket;
+import java.net.SocketTimeoutException;
 import java.security.cert.CertPathValidatorException;
 import java.security.cert.CertificateExpiredException;
 import java.time.Instant;
@@ -11,6 +14,7 @@ import javax.net.ssl.SSLException;
 import javax.net.ssl.SSLHandshakeException;
 import org.eclipse.paho.client.mqttv3.MqttException;
 import org.junit.jupiter.api.Test;
+import org.u2sa.interfaces.communication.CommunicationException;
 
 /** What an operator is told to do; failures of a real broker are in SecuredLoginTest of core. */
 class ConnectFailureTest {
@@ -76,5 +80,25 @@ class ConnectFailureTest {
       ending.join();
     }
     assertThat(EncryptedPort.is("localhost", 1)).isFalse();
+  }
+
+  @Test
+  void isPassing_silentOrEndingBroker_isWorthAnotherAttempt() {
+    assertThat(isPassing(MqttException.REASON_CODE_CLIENT_TIMEOUT, null)).isTrue();
+    assertThat(isPassing(MqttException.REASON_CODE_CONNECTION_LOST, new EOFException())).isTrue();
+    assertThat(isPassing(0, new SocketTimeoutException("no TLS handshake"))).isTrue();
+  }
+
+  @Test
+  void isPassing_nobodyThereOrRefused_isNot() {
+    assertThat(isPassing(0, new ConnectException("refused"))).isFalse();
+    assertThat(isPassing(MqttException.REASON_CODE_NOT_AUTHORIZED, null)).isFalse();
+    assertThat(isPassing(MqttException.REASON_CODE_CONNECTION_LOST, new SSLException("no TLS")))
+        .isFalse();
+    assertThat(ConnectFailure.isPassing(new IllegalStateException())).isFalse();
+  }
+
+  private static boolean isPassing(int code, Throwable cause) {
+    return ConnectFailure.isPassing(new CommunicationException("", new MqttException(code, cause)));
   }
 }
