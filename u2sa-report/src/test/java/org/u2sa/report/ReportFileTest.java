@@ -58,7 +58,7 @@ class ReportFileTest {
 
   @Test
   void write_linkInPlaceOfTheTemporaryFile_itsTargetStays() throws IOException {
-    Path target = Files.writeString(directory.resolve("target"), "kept");
+    Path target = Files.writeString(directory.resolve("kept"), "kept");
     Files.createSymbolicLink(directory.resolve(".map.svg.part"), target);
     ReportFile.writeText(directory.resolve("map.svg"), out -> out.write("map"));
 

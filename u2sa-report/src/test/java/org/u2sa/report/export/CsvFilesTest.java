@@ -52,7 +52,7 @@ class CsvFilesTest {
   /** In a shared folder the link may be somebody else's. */
   @Test
   void write_linkOfThatName_isReplacedAndItsTargetStays() throws IOException {
-    Path target = Files.writeString(folder.resolve("target"), "kept");
+    Path target = Files.writeString(folder.resolve("kept"), "kept");
     Path file = Files.createSymbolicLink(folder.resolve("state.csv"), target);
     try (CsvFiles files = new CsvFiles()) {
       files.write(file, "1\n");
