@@ -213,6 +213,11 @@ class StationCircleTest extends PlannedVehicle {
     assertKeepsAwayFromTowers();
   }
 
+  private void pause() {
+    kit.publish(
+        Channels.GOALS, new GoalList().goals(List.of(station())).paused(true).upcoming(List.of()));
+  }
+
   private void assertKeepsAwayFromTowers() {
     for (Sphere tower : towers) {
       assertThat(track)
@@ -227,8 +232,7 @@ class StationCircleTest extends PlannedVehicle {
     start("AIR");
     double bearing = Math.toRadians(bearingDeg);
     tower(RADIUS_M * Math.cos(bearing) - NORTH_M, RADIUS_M * Math.sin(bearing));
-    kit.publish(
-        Channels.GOALS, new GoalList().goals(List.of(station())).paused(true).upcoming(List.of()));
+    pause();
 
     assertThat(fly(400.0)).isFalse();
     assertKeepsAwayFromTowers();
@@ -241,8 +245,7 @@ class StationCircleTest extends PlannedVehicle {
     tower(RADIUS_M - NORTH_M, 0.0);
     tower(-NORTH_M, 2.0 * RADIUS_M);
     tower(-NORTH_M, -2.0 * RADIUS_M);
-    kit.publish(
-        Channels.GOALS, new GoalList().goals(List.of(station())).paused(true).upcoming(List.of()));
+    pause();
 
     assertThat(fly(600.0)).isFalse();
     assertKeepsAwayFromTowers();
@@ -270,8 +273,7 @@ class StationCircleTest extends PlannedVehicle {
   void takeOver_holding_circlesOnAboutTheSamePlace() {
     PathPlanner planner = start("AIR");
     aircraft.north = NORTH_M;
-    kit.publish(
-        Channels.GOALS, new GoalList().goals(List.of(station())).paused(true).upcoming(List.of()));
+    pause();
     fly(103.0);
     kit.swap(planner, PathPlanner::new);
     fly(300.0);

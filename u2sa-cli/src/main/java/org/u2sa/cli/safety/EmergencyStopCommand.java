@@ -53,6 +53,7 @@ public final class EmergencyStopCommand extends BaseCommand {
   private static final double LISTEN_S = 1.2;
 
   private static final double CONNECTS_WITHIN_S = 20.0; // to a broker that is there
+  private static final double PAUSE_S = 0.3; // between attempts, which are part of the flood
   private static final int MAX_LINES = 30; // an attacker can announce thousands of services
 
   @Mixin private RemoteSystem remote;
@@ -141,14 +142,17 @@ public final class EmergencyStopCommand extends BaseCommand {
   private static RemoteLink connect(RemoteSystem at) throws InterruptedException {
     Clock clock = new SystemClock();
     long until = clock.micros() + Clock.micros(CONNECTS_WITHIN_S);
-    while (true) {
-      try {
-        return at.connectToAll();
-      } catch (CommunicationException e) {
-        if (clock.micros() > until || !ConnectFailure.isPassing(e)) {
-          throw e;
+    try (Clock.Waiter pause = clock.newWaiter("estop")) {
+      while (true) {
+        try {
+          return at.connectToAll();
+        } catch (CommunicationException e) {
+          if (clock.micros() > until || !ConnectFailure.isPassing(e)) {
+            throw e;
+          }
+          at.tell("the broker at " + at.brokerAddress() + " does not answer yet: trying again");
+          pause.await(clock.micros() + Clock.micros(PAUSE_S));
         }
-        at.tell("the broker at " + at.brokerAddress() + " does not answer yet: trying again");
       }
     }
   }

@@ -56,4 +56,12 @@ class LoiterCircleTest {
 
     assertThat(Math.hypot(120.0 + ahead.x(), ahead.y())).isCloseTo(100.0, within(1e-6));
   }
+
+  /** It holds where it is: the circle begins on its course, here east. */
+  @Test
+  void tangentAhead_atTheCentre_leadsOnInsteadOfBack() {
+    Point ahead = CIRCLE.tangentAhead(at(0.0, 0.0), 50.0, 0.0);
+
+    assertThat(Math.atan2(ahead.y(), ahead.x())).isCloseTo(0.5 * Math.PI + 0.5, within(1e-6));
+  }
 }
