@@ -12,6 +12,7 @@ import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.Waypoint;
@@ -23,7 +24,7 @@ import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.safety.ManualState;
 import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.messages.schema.U2SAData;
-import org.u2sa.mission.returning.HomeDistance;
+import org.u2sa.mission.returning.HomeCheck;
 import org.u2sa.mission.returning.ReturnPlaces;
 import org.u2sa.service.FirstFailsafe;
 import org.u2sa.service.PeriodicService;
@@ -81,7 +82,7 @@ public final class MissionManager extends PeriodicService {
   private final Resumable resumable;
   private final MessageTypes messageTypes;
   private final ReturnPlaces returnPlaces = new ReturnPlaces(() -> this.home);
-  private final HomeDistance homeDistance = new HomeDistance();
+  private final HomeCheck homeCheck = new HomeCheck();
   private Optional<Waypoint> home = Optional.empty();
   private boolean beginsAnew = true; // false after a takeover
   private boolean isStateLost; // restarted without the saved state, as after a full disk
@@ -297,7 +298,12 @@ public final class MissionManager extends PeriodicService {
 
   private void onState(StateInformation state) {
     returnPlaces.see(state);
-    homeDistance.check(state, home).ifPresent(warning -> log(LogLevelEnum.WARN, warning));
+    homeCheck.distance(state, home).ifPresent(warning -> log(LogLevelEnum.WARN, warning));
+    if (beginsAnew && !isStateLost) { // otherwise it may hover there
+      Optional<Geodetic> level =
+          run.mission().home().filter(each -> each.z().isPresent()).flatMap(Home::geodetic);
+      homeCheck.altitude(state, level, limits.stands()).ifPresent(this::trouble);
+    }
   }
 
   private void onMission(U2SAData message) {

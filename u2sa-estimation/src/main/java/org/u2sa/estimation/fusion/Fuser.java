@@ -1,5 +1,6 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.measurement.AltitudeDifference;
 import org.u2sa.estimation.measurement.Measurement;
 import org.u2sa.estimation.measurement.RepeatedSightings;
 import org.u2sa.estimation.measurement.SensedQuantity;
@@ -171,6 +172,7 @@ final class Fuser {
     if (quantity == SensedQuantity.LOCAL_PLACE || quantity == SensedQuantity.LOCAL_DOWN) {
       QuantityStart.shift(s, linear, quantity, at);
     } else if (quantity == SensedQuantity.ALTITUDE) {
+      compareAltitude(s, m, at);
       shiftAltitude(s, m, source, at);
     }
     if (quantity.isPlace()) {
@@ -232,6 +234,10 @@ final class Fuser {
     }
     if (quantity == SensedQuantity.ALTITUDE && hasOffset(s, m, source, at)) {
       QuantityStart.learnOffset(s, linear, at);
+    }
+    if (quantity == SensedQuantity.ALTITUDE && isPressureWrong(s, m, source, at)) {
+      SourceJudge.rejectWrong(s, at);
+      return;
     }
     boolean isUnseenTurn =
         isHeading
@@ -330,6 +336,31 @@ final class Fuser {
         && !isPressure(m)
         && s.trust[at + SourceTrust.STREAK] >= FIX_STREAK
         && !trust.hasReceiverAltitude(s);
+  }
+
+  private void compareAltitude(FilterState s, Measurement m, int at) {
+    if (isPressure(m)) {
+      int of = at + SourceTrust.DIFFERENCE;
+      AltitudeDifference.barometer(s.trust, of, linear.innovation[0], s.micros);
+    } else {
+      trust.compareBarometers(s, linear);
+    }
+  }
+
+  /**
+   * Whether receivers have shown over some time that a barometer is off by more than it claims. The
+   * estimate may be between them, within the gate of both.
+   */
+  private boolean isPressureWrong(FilterState s, Measurement m, int source, int at) {
+    return tuning.domain() != MotionDomain.UNDERWATER
+        && isPressure(m)
+        && !trust.isShifted(s, source, SensedQuantity.ALTITUDE)
+        && judge.isCorroborated(s, source, SensedQuantity.ALTITUDE)
+        && AltitudeDifference.isContradicted(
+            s.trust,
+            at + SourceTrust.DIFFERENCE,
+            linear.variance[0],
+            tuning.positionCorrelationS());
   }
 
   /**

@@ -1,5 +1,7 @@
 package org.u2sa.estimation.fusion;
 
+import org.u2sa.estimation.measurement.AltitudeDifference;
+import org.u2sa.estimation.measurement.KnownOffset;
 import org.u2sa.estimation.measurement.SensedQuantity;
 import org.u2sa.estimation.rotation.MotionHeading;
 
@@ -122,6 +124,23 @@ final class SourceJudge {
     }
     t[at + SourceTrust.IS_BIASED] = 0.0;
     return true;
+  }
+
+  /**
+   * Rejects a barometer that receivers have shown to be wrong. While it was used, it has drawn the
+   * estimate towards itself: by the difference from the receivers less that from the estimate.
+   */
+  static void rejectWrong(FilterState s, int at) {
+    double[] t = s.trust;
+    if (t[at + SourceTrust.IS_BIASED] == 0.0) {
+      double drawn =
+          AltitudeDifference.metres(t, at + SourceTrust.DIFFERENCE)
+              - KnownOffset.metres(t, at + SourceTrust.KNOWN_OFFSET);
+      s.p.data[(FilterState.POSITION + 2) * (FilterState.N + 1)] += drawn * drawn;
+    }
+    t[at + SourceTrust.IS_BIASED] = 1.0;
+    t[at + SourceTrust.PASSED] = 0.0;
+    t[at + SourceTrust.GATED]++;
   }
 
   /**

@@ -3,6 +3,7 @@ package org.u2sa.estimation.fusion;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.u2sa.estimation.measurement.AltitudeDifference;
 import org.u2sa.estimation.measurement.KnownOffset;
 import org.u2sa.estimation.measurement.Measurement;
 import org.u2sa.estimation.measurement.PositionGrid;
@@ -71,7 +72,8 @@ final class SourceTrust {
   static final int APART_VARIANCE = 47; // sum of their variances per axis
   static final int GRID = 48; // of its coordinates, see PositionGrid
   static final int KNOWN_OFFSET = GRID + PositionGrid.SIZE; // of its altitudes
-  private static final int QUANTITY_SIZE = KNOWN_OFFSET + KnownOffset.SIZE;
+  static final int DIFFERENCE = KNOWN_OFFSET + KnownOffset.SIZE; // of a barometer's altitudes
+  private static final int QUANTITY_SIZE = DIFFERENCE + AltitudeDifference.SIZE;
 
   private static final double OUTLIER_MEMORY = 100.0; // vectors
   private static final double PRIOR = 10.0; // weight of the claim, in innovations
@@ -295,6 +297,24 @@ final class SourceTrust {
       }
     }
     return false;
+  }
+
+  /**
+   * Compares the newest altitudes of all barometers with one of a receiver.
+   *
+   * @param model the receiver's altitude
+   */
+  void compareBarometers(FilterState s, Linearization model) {
+    for (int source = 0; source < names.size(); source++) {
+      if (isKnown(source, SensedQuantity.ALTITUDE)) {
+        AltitudeDifference.receiver(
+            s.trust,
+            of(s, source, SensedQuantity.ALTITUDE) + DIFFERENCE,
+            model.innovation[0],
+            model.variance[0],
+            s.micros);
+      }
+    }
   }
 
   /** Whether an altitude is subject to an offset that was learnt from other altitudes. */

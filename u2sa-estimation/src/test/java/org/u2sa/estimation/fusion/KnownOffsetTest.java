@@ -116,6 +116,30 @@ class KnownOffsetTest {
     assertThat(filter.resets()).isLessThanOrEqualTo(1);
   }
 
+  /** Within the gate of either, so that no single altitude reveals it. */
+  @ParameterizedTest
+  @ValueSource(doubles = {17.0, -17.0})
+  void add_barometerWithinTheGateForMinutes_receiverIsBelieved(double offM) {
+    receiverM = 5.0;
+    hover(10.0, offM, true);
+    assertThat(barometer()).startsWith("used");
+    assertThat(worstM).isGreaterThan(5.0);
+    hover(300.0, offM, true);
+    assertThat(barometer()).startsWith("biased");
+    hover(330.0, offM, true);
+    assertThat(worstM).isLessThan(2.0);
+    hover(350.0, offM, false);
+    assertThat(worstM).isLessThan(4.0);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {6.0, -6.0})
+  void add_barometerWithinItsClaim_isUsed(double offM) {
+    receiverM = 5.0;
+    hover(400.0, offM, true);
+    assertThat(barometer()).startsWith("used");
+  }
+
   @Test
   void add_barometerStepsBeforeTheLoss_newOffsetIsUsed() {
     hover(15.0, 0.0, true);

@@ -10,11 +10,15 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
+import javax.imageio.ImageWriteParam;
+import javax.imageio.ImageWriter;
 import javax.imageio.plugins.tiff.GeoTIFFTagSet;
 import javax.imageio.plugins.tiff.TIFFDirectory;
 import javax.imageio.stream.ImageInputStream;
+import javax.imageio.stream.ImageOutputStream;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -134,6 +138,46 @@ class SurveyMosaicTest {
 
     assertThat(mosaic.refused()).isEqualTo(3);
     assertThat(mosaic.used()).isEqualTo(1);
+  }
+
+  /** A progressive JPEG whose last scan is repeated. */
+  private static byte[] progressive(int repetitions) throws IOException {
+    ImageWriter writer = ImageIO.getImageWritersByFormatName("jpeg").next();
+    ImageWriteParam way = writer.getDefaultWriteParam();
+    way.setProgressiveMode(ImageWriteParam.MODE_DEFAULT);
+    ByteArrayOutputStream file = new ByteArrayOutputStream();
+    try (ImageOutputStream out = ImageIO.createImageOutputStream(file)) {
+      writer.setOutput(out);
+      BufferedImage image = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
+      writer.write(null, new IIOImage(image, null, null), way);
+    }
+    writer.dispose();
+    byte[] whole = file.toByteArray();
+    int end = whole.length - 2; // of the last scan
+    int scan = end - 1;
+    while (whole[scan] != (byte) 0xFF || whole[scan + 1] != (byte) 0xDA) {
+      scan--;
+    }
+    ByteArrayOutputStream longer = new ByteArrayOutputStream();
+    longer.write(whole, 0, end);
+    for (int i = 0; i < repetitions; i++) {
+      longer.write(whole, scan, end - scan);
+    }
+    longer.write(whole, end, 2);
+    return longer.toByteArray();
+  }
+
+  @Test
+  void take_progressiveJpegOfThousandsOfScans_isRefused() throws IOException {
+    List<Point> corners = new ArrayList<>();
+    for (double[] each : new double[][] {{-20, -20}, {-20, 20}, {20, 20}, {20, -20}}) {
+      corners.add(MIDDLE.fromNed(Point.of(each[0], each[1], 0.0)).point());
+    }
+    take(1_000_000L, corners, progressive(0));
+    assertThat(mosaic.used()).isEqualTo(1);
+    take(2_000_000L, corners, progressive(10_000));
+    assertThat(mosaic.used()).isEqualTo(1);
+    assertThat(mosaic.refused()).isEqualTo(1);
   }
 
   @ParameterizedTest
