@@ -246,9 +246,9 @@ class PlannerSeesTest extends PlannedVehicle {
   void state_freesItselfAgainAndAgain_givesUpSinceItGetsNoNearer() {
     startReversing(100);
     see(disc("rock", 30, 30, 1.0));
-    drive(380, 0, 0, 0);
+    drive(420, 0, 0, 0);
     assertThat(kit.published(Channels.GOAL_REPORTS)).isEmpty();
-    drive(60, 0, 0, 0); // four times 10 m at 1 m/s, and STUCK AFTER
+    drive(60, 0, 0, 0); // four times 10 m at 1 m/s, and five times STUCK AFTER
 
     assertThat(reason()).contains("no closer to the goal for 4");
   }

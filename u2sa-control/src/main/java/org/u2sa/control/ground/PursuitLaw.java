@@ -23,6 +23,7 @@ final class PursuitLaw {
 
   private PursuitSettings settings;
   private Drive drive = Drive.STANDING;
+  private double curvature; // of the arc to the target [1/m], left positive; 0 to stop
   private boolean turning;
   private boolean arrived;
   private boolean turned; // has turned to the required heading at the target
@@ -57,18 +58,13 @@ final class PursuitLaw {
    */
   Drive step(Optional<GroundTarget> target, double stepS) {
     Drive wanted = target.map(this::towards).orElseGet(this::stand);
-    boolean slower = Math.abs(wanted.speedMps()) < Math.abs(drive.speedMps());
-    double speed =
-        approach(
-            drive.speedMps(),
-            wanted.speedMps(),
-            stepS * (slower ? settings.tuning().braking() : settings.tuning().acceleration()));
+    double speed = speed(wanted.speedMps(), stepS);
     double yawRate = wanted.yawRateRadPerS();
     boolean byHand = target.flatMap(GroundTarget::byHand).isPresent();
     if (byHand && !settings.spotTurn().possible()) {
       yawRate = bounded(yawRate, Math.abs(speed) * settings.largestCurvature());
-    } else if (!turning && !byHand && wanted.speedMps() != 0.0) {
-      yawRate *= speed / wanted.speedMps(); // same curvature at the actual speed
+    } else if (!turning && !byHand) {
+      yawRate = speed * curvature; // the arc, too, on which it brakes to a stop
     }
     drive =
         new Drive(
@@ -80,8 +76,18 @@ final class PursuitLaw {
     return drive;
   }
 
+  /** Next speed towards the wanted one; the other way, it brakes to a stop first. */
+  private double speed(double wantedMps, double stepS) {
+    double before = drive.speedMps();
+    boolean turnsBack = wantedMps * before < 0.0;
+    boolean slower = turnsBack || Math.abs(wantedMps) < Math.abs(before);
+    double rate = slower ? settings.tuning().braking() : settings.tuning().acceleration();
+    return approach(before, turnsBack ? 0.0 : wantedMps, stepS * rate);
+  }
+
   private Drive stand() {
     turning = false;
+    curvature = 0.0;
     return Drive.STANDING;
   }
 
@@ -104,8 +110,8 @@ final class PursuitLaw {
     if (turning) {
       return spotTurn(bearing);
     }
-    double curvature = curvature(target);
-    double speed = speed(target, curvature);
+    curvature = curvature(target);
+    double speed = speed(target);
     double along = target.backwards() ? -speed : speed; // same arc, in reverse
     return new Drive(along, along * curvature);
   }
@@ -136,7 +142,7 @@ final class PursuitLaw {
     return bounded(2.0 * target.leftM() / (distance * distance), settings.largestCurvature());
   }
 
-  private double speed(GroundTarget target, double curvature) {
+  private double speed(GroundTarget target) {
     double cruise = target.speedMps().orElse(settings.tuning().cruiseSpeed());
     double tightness = Math.abs(curvature) * settings.tuning().regulatedRadius();
     double inCurve = tightness > 1.0 ? cruise / tightness : cruise; // eq. 5

@@ -77,6 +77,33 @@ class PursuitLawTest {
   }
 
   @Test
+  void step_theOtherWay_brakesToAStopFirst() {
+    settled(at(5.0, 0.0));
+    Optional<GroundTarget> behind =
+        Optional.of(new GroundTarget(-5.0, 0.0, OptionalDouble.of(1.0), true));
+    assertThat(law.step(behind, STEP_S).speedMps()).isCloseTo(0.9, within(1.0e-9));
+    for (int i = 0; i < 8; i++) {
+      law.step(behind, STEP_S);
+    }
+    assertThat(law.step(behind, STEP_S).speedMps()).isCloseTo(0.0, within(1.0e-9));
+    law.step(behind, STEP_S); // rounding may have left a little
+    assertThat(law.step(behind, STEP_S).speedMps()).isBetween(-0.101, -0.049);
+  }
+
+  @Test
+  void step_speedZeroAtAPointAside_brakesOnTheArcToIt() {
+    settled(at(2.0, 0.5));
+    Optional<GroundTarget> stop =
+        Optional.of(new GroundTarget(2.0, 0.5, OptionalDouble.of(0.0), false));
+    for (int i = 0; i < 5; i++) {
+      Drive drive = law.step(stop, STEP_S);
+      assertThat(drive.yawRateRadPerS() / drive.speedMps())
+          .isCloseTo(2.0 * 0.5 / (2.0 * 2.0 + 0.5 * 0.5), within(1.0e-9));
+    }
+    assertThat(settled(stop)).isEqualTo(Drive.STANDING);
+  }
+
+  @Test
   void step_tightCurve_isDrivenSlower() {
     Drive drive = settled(at(0.8, 0.8));
     double radius = drive.speedMps() / drive.yawRateRadPerS();

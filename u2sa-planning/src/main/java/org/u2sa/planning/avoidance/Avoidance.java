@@ -128,7 +128,11 @@ public final class Avoidance {
                     + "extensions.");
     chosen = () -> configuration.getVariable(planner);
     chosen.get(); // an invalid value must fail before the vehicle moves
-    passages = new Passages(settings, this::turnsOnTheSpot);
+    passages =
+        new Passages(
+            settings,
+            this::turnsOnTheSpot,
+            () -> isOn() && planners.get(chosen.get()).checksShape());
     world = new SeenWorld(passages::reading);
     obstacles = new VirtualObstacles(world);
     routes = new RouteKeeper(world, obstacles, passages, () -> planners.get(chosen.get()), say);

@@ -153,8 +153,8 @@ public record AvoidanceVariables(
   }
 
   /** Shape of the vehicle, including corners if passages may be barely wider than it. */
-  BodyDiscs body(boolean onTheSpot) {
-    return onTheSpot || narrowestPassage > 0.0
+  BodyDiscs body(boolean closely) {
+    return closely || narrowestPassage > 0.0
         ? BodyDiscs.closely(
             vehicleFront,
             vehicleRear,
@@ -169,10 +169,11 @@ public record AvoidanceVariables(
    * @param narrow whether routes may use every passage that the vehicle fits through
    */
   SeenWorld.Reading reading(boolean onTheSpot, boolean narrow) {
-    boolean isNarrow = onTheSpot && (narrow || narrowestPassage > 0.0);
+    boolean isNarrow = narrow || onTheSpot && narrowestPassage > 0.0;
     double radius = onTheSpot ? turningM() : body(false).radiusM() + clearance;
     if (isNarrow) {
-      radius = Math.min(radius, 0.5 * passageM());
+      double halfM = onTheSpot ? 0.5 * passageM() : 0.5 * vehicleWidth + clearance;
+      radius = Math.min(radius, halfM);
     }
     double cellM = cellM(isNarrow);
     return new SeenWorld.Reading(
@@ -189,8 +190,8 @@ public record AvoidanceVariables(
   }
 
   /** Whether some passages are wide enough to pass but not to turn in; used as a last resort. */
-  boolean hasNarrower(boolean onTheSpot) {
-    return onTheSpot && narrowestPassage == 0.0 && 0.5 * passageM() < turningM();
+  boolean hasNarrower() {
+    return narrowestPassage == 0.0 && 0.5 * passageM() < turningM();
   }
 
   private double cellM(boolean narrow) {

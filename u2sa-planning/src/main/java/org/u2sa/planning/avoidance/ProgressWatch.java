@@ -9,7 +9,11 @@ import org.u2sa.interfaces.time.Clock;
  * gap that is a sensor error, so only the remaining distance to the goal counts.
  */
 final class ProgressWatch {
-  /** Without progress, a goal is abandoned after this many times the route's travel time. */
+  /**
+   * Without progress, a goal is abandoned after this many times the route's travel time, and the
+   * time in which a vehicle that can stop notices that it is stuck, at first and after up to as
+   * many attempts to free itself: near the goal, the travel time alone would not suffice for one.
+   */
   private static final double MAX_ROUTES = 4.0;
 
   private final NearestYet nearest = new NearestYet();
@@ -25,6 +29,10 @@ final class ProgressWatch {
     nearestMicros += micros;
   }
 
+  private static double attempts(AvoidanceVariables settings) {
+    return settings.stops() ? 1.0 + Math.min(MAX_ROUTES, settings.recoveries()) : 1.0;
+  }
+
   /** Reason for giving up a goal without progress, or empty. */
   Optional<String> circles(double remainingM, Situation now) {
     longestM = Math.max(longestM, remainingM);
@@ -33,7 +41,9 @@ final class ProgressWatch {
       nearestMicros = now.micros();
     }
     double seconds = Clock.seconds(now.micros() - nearestMicros);
-    double allowedS = MAX_ROUTES * longestM / now.limits().speedMps() + now.settings().stuckAfter();
+    AvoidanceVariables settings = now.settings();
+    double stuckS = settings.stuckAfter() * attempts(settings);
+    double allowedS = MAX_ROUTES * longestM / now.limits().speedMps() + stuckS;
     return seconds > allowedS
         ? Optional.of(String.format(Locale.ROOT, "no closer to the goal for %.0f s", seconds))
         : Optional.empty();

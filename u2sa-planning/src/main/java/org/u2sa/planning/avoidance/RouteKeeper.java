@@ -287,7 +287,7 @@ final class RouteKeeper {
                 now.goalHeadingRad(),
                 look.isSought() ? closeM(now) : now.thresholdM(),
                 new Mobility(
-                    now.body(),
+                    passages.body(),
                     settings.clearance(),
                     TURN_MARGIN * now.slowRadiusM(),
                     settings.reverses()),

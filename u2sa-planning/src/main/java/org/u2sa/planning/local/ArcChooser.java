@@ -221,9 +221,13 @@ public final class ArcChooser {
         track.northAheadM(ahead), track.eastAheadM(ahead), stand(ArcChoice.Kind.WAIT));
   }
 
-  /** Stops at the stopping point; vehicles that cannot stop fly straight on. */
+  /**
+   * Stops at the stopping point, on an arc if something is in the way straight ahead; vehicles that
+   * cannot stop fly straight on.
+   */
   private ArcChoice stand(ArcChoice.Kind kind) {
-    Pose ahead = pose.along(limits.lookAheadM(), 0.0);
+    double curvature = limits.stops() ? forecast.stoppingCurvature() : 0.0;
+    Pose ahead = pose.along(limits.lookAheadM(), curvature);
     return new ArcChoice(
         ahead.northM(), ahead.eastM(), limits.stops() ? 0.0 : limits.speedMps(), false, kind);
   }

@@ -12,6 +12,8 @@ import org.u2sa.planning.search.CostGrid;
 final class MotionForecast {
   private static final double NEVER = Double.POSITIVE_INFINITY;
   private static final double STANDS_MPS = 1.0e-3;
+  private static final int STOPPING_ARCS = 5; // to each side
+  private static final double ROLLS_CELLS = 0.5; // a shorter way to a stop is that of a noisy speed
 
   private final CostGrid costs;
   private final BodyDiscs body;
@@ -110,6 +112,39 @@ final class MotionForecast {
     return tally.outcome(NEVER);
   }
 
+  /**
+   * Curvature on which it keeps away from static obstacles while it stops [1/m], right positive:
+   * straight if that is possible, otherwise the least that is, or that on which it stays farthest.
+   */
+  double stoppingCurvature() {
+    double bestCurvature = 0.0;
+    double mostM = -NEVER;
+    for (int side = 0; side <= 2 * STOPPING_ARCS; side++) {
+      int k = (side % 2 == 0 ? 1 : -1) * ((side + 1) / 2); // straight first
+      double curvature = limits.tightest() * k / STOPPING_ARCS;
+      double leastM = stoppingClearanceM(curvature);
+      if (leastM >= requiredM) {
+        return curvature;
+      }
+      if (leastM > mostM) {
+        mostM = leastM;
+        bestCurvature = curvature;
+      }
+    }
+    return bestCurvature;
+  }
+
+  /** Minimum clearance to static obstacles on the way to a stop [m]. */
+  private double stoppingClearanceM(double curvature) {
+    double wayM = limits.stoppingM(Math.abs(startMps));
+    double leastM = NEVER;
+    for (double gone = costs.frame().cellM(); gone < wayM; gone += costs.frame().cellM()) {
+      Pose at = start.along(Math.copySign(gone, startMps), curvature);
+      leastM = Math.min(leastM, clearanceM(at));
+    }
+    return leastM;
+  }
+
   /** Mean distance of the vehicle to static obstacles along an arc of some length [m]. */
   double roomM(double curvature, boolean backwards, double wayM) {
     double step = costs.frame().cellM();
@@ -156,7 +191,9 @@ final class MotionForecast {
     boolean toHorizon = limits.stops() && !amongTraffic && !traffic.isEmpty();
     Tally tally = new Tally();
     double v = motion.turnRad() == 0.0 ? Math.max(0.0, sign * startMps) : 0.0;
-    double rolls = motion.turnRad() == 0.0 ? 0.0 : startMps; // rolls before a turn in place
+    double rolls =
+        motion.turnRad() == 0.0 ? rollsOnMps(motion) : startMps; // before a turn in place
+    double rollCurvature = motion.turnRad() == 0.0 ? motion.curvature() : 0.0;
     double turned = 0.0;
     double gone = 0.0;
     double freeM = NEVER;
@@ -166,7 +203,7 @@ final class MotionForecast {
       double step = 0.0;
       if (rolls != 0.0) {
         rolls = slower(rolls, t);
-        at = at.along(rolls * stepS, 0.0);
+        at = at.along(rolls * stepS, rollCurvature);
       } else if (turned < Math.abs(motion.turnRad())) {
         turned += limits.turnRateRadPerS() * stepS;
         double share = Math.min(turned, Math.abs(motion.turnRad()));
@@ -212,6 +249,13 @@ final class MotionForecast {
       }
     }
     return tally.outcome(freeM);
+  }
+
+  /** Speed of a vehicle that has to stop first, because the motion leads the other way [m/s]. */
+  private double rollsOnMps(Motion motion) {
+    boolean turnsBack = motion.sign() * startMps < 0.0;
+    double wayM = limits.stoppingM(Math.abs(startMps));
+    return turnsBack && wayM > ROLLS_CELLS * costs.frame().cellM() ? startMps : 0.0;
   }
 
   /** Factor on the speed in an arc: if it turns in place, its outer side is not faster. */

@@ -73,6 +73,11 @@ final class HybridRoutes implements RoutePlanner {
     return Route.of(points, way.get().cost());
   }
 
+  @Override
+  public boolean checksShape() {
+    return true;
+  }
+
   private void begin(RouteRequest request) {
     begun = request;
     Mobility can = request.mobility();

@@ -7,4 +7,12 @@ package org.u2sa.planning.route;
 public interface RoutePlanner {
   /** Plans a path to the goal, or gives the reason why there is none. */
   Route plan(RouteRequest request);
+
+  /**
+   * Whether routes are checked with the vehicle's shape and heading, so that obstacles in the costs
+   * may be inflated by half of its width only.
+   */
+  default boolean checksShape() {
+    return false;
+  }
 }

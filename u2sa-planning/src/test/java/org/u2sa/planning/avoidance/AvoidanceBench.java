@@ -48,10 +48,12 @@ final class AvoidanceBench {
                   List.of(),
                   0.0,
                   0.0));
-  final Passages passages = new Passages(this::settings, () -> this.turnsOnTheSpot);
+  final Passages passages =
+      new Passages(this::settings, () -> this.turnsOnTheSpot, () -> this.checksShape);
   final RouteKeeper routes =
       new RouteKeeper(world, new VirtualObstacles(world), passages, () -> this::plan, this::say);
-  boolean turnsOnTheSpot; // narrower passages exist only for vehicles that do
+  boolean turnsOnTheSpot; // narrower passages exist only for vehicles that do,
+  boolean checksShape; // or for planners that do
   Route answer = northward(GOAL_M, GOAL_M);
   final StateInformation state =
       new StateInformation().referenceFrame(ReferenceFrame.LOCAL_NED).x(0.0).y(0.0).z(0.0).psi(0.0);

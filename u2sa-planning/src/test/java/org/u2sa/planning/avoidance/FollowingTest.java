@@ -66,7 +66,7 @@ class FollowingTest {
 
   @Test
   void givesUp_descendsInPlace_isProgress() {
-    double allowedS = 4.0 * (8.0 + 5.0) + stuckS; // at 1 m/s
+    double allowedS = 4.0 * (8.0 + 5.0) + 3.0 * stuckS; // at 1 m/s, with two attempts
     bench.height(5.0);
     following.givesUp(bench.at(0.0));
     bench.height(4.0);
@@ -78,7 +78,7 @@ class FollowingTest {
   @Test
   void givesUp_noNearerForFourTimesTheRoute_saysForHowLong() {
     following.givesUp(bench.at(0.0));
-    double allowedS = 4.0 * 8.0 + stuckS; // at 1 m/s
+    double allowedS = 4.0 * 8.0 + 3.0 * stuckS; // at 1 m/s, with two attempts
 
     assertThat(following.givesUp(bench.at(allowedS))).isEmpty();
     assertThat(following.givesUp(bench.at(allowedS + 1.0)).orElseThrow())
