@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Supplier;
+import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.goals.GoalRecheck;
 import org.u2sa.planning.local.ArcChoice;
 import org.u2sa.planning.local.RouteTrack;
@@ -36,6 +37,7 @@ final class RouteKeeper {
   private static final double STOPS_SHORT_M = 0.15; // TOLERANCE of a control, by default
   private static final double STOPS_SHORT = 0.3; // likewise, in thresholds at most
 
+  private static final double MISALIGNED_RAD = Math.toRadians(5.0); // as HYBRID aims
   private static final int MAX_DOUBLINGS = 4; // doublings of the wait after failed searches
 
   private final SeenWorld world;
@@ -150,6 +152,12 @@ final class RouteKeeper {
     }
     if (goalMoved(now) || lacking || blocked || due && (off > leftM || triesNearer)) {
       replace(plan(now), now);
+    } else if (endsMisaligned(now) && (due || searches)) {
+      Route route = plan(now);
+      searches = route.goesOn();
+      if (route.exists()) {
+        track = Optional.of(new RouteTrack(route));
+      }
     } else if (changed && due || look.isUnderWay() && searches) {
       Route route = plan(now);
       searches = look.isUnderWay() && route.goesOn();
@@ -159,6 +167,25 @@ final class RouteKeeper {
         look.wayFound();
       }
     }
+  }
+
+  /**
+   * Whether a vehicle that has to steer is at the end of its route without the heading wanted
+   * there: it has not followed the route closely enough.
+   */
+  private boolean endsMisaligned(Situation now) {
+    if (track.isEmpty() || now.goalHeadingRad().isEmpty() || now.slowRadiusM() == 0.0) {
+      return false;
+    }
+    double off = Pose.wrapped(now.goalHeadingRad().getAsDouble() - now.pose().headingRad());
+    return now.settings().stops()
+        && track.get().remainingM() < reachedM(now)
+        && Math.abs(off) > MISALIGNED_RAD;
+  }
+
+  /** Distance within which a cusp of the route counts as reached [m]. */
+  private static double reachedM(Situation now) {
+    return Math.min(0.25 * now.limits().lookAheadM(), 3.0 * now.cellM());
   }
 
   private boolean lacksWay() {
@@ -187,9 +214,8 @@ final class RouteKeeper {
 
   /** Distance of the vehicle off the route [m]. */
   private double follow(RouteTrack route, Situation now) {
-    double ahead = now.limits().lookAheadM();
-    double reached = Math.min(0.25 * ahead, 3.0 * now.cellM());
-    return route.follow(now.pose().northM(), now.pose().eastM(), reached, ahead);
+    return route.follow(
+        now.pose().northM(), now.pose().eastM(), reachedM(now), now.limits().lookAheadM());
   }
 
   private boolean goalMoved(Situation now) {

@@ -161,6 +161,24 @@ final class AvoidanceBench {
         micros(seconds));
   }
 
+  /** A vehicle with a turn radius of 1 m on the route, which is to arrive pointing north. */
+  Situation steered(double seconds, double northM, double headingRad) {
+    Situation turning = at(seconds, northM, 0.0, headingRad);
+    return new Situation(
+        turning.pose(),
+        GOAL_M,
+        0.0,
+        heightM,
+        OptionalDouble.of(0.0),
+        0.5,
+        turning.limits(),
+        CELL_M,
+        turning.body(),
+        1.0,
+        settings,
+        turning.micros());
+  }
+
   ArcChooser arcs(Situation now) {
     return new ArcChooser(
         world.costs(),

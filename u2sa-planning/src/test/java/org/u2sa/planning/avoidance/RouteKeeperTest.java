@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Map;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.planning.route.Route;
 
 /** When routes are planned. The vehicle stands at the origin, its goal 8 m to the north. */
@@ -73,6 +75,25 @@ class RouteKeeperTest {
 
     assertThat(routes.track()).isPresent().isNotEqualTo(before);
     assertThat(routes.track().get().cost()).isEqualTo(5.0);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"7.9, 0.2, 2", "7.9, -0.2, 2", "7.9, 0.05, 1", "5.0, 0.2, 1"})
+  void update_steeredVehicleAtTheEndOfTheRoute_isPlannedAgainUnlessAligned(
+      double northM, double headingRad, int plans) {
+    AvoidanceBench truck = new AvoidanceBench();
+    truck.routes.update(truck.steered(0.0, 0.0, 0.0));
+    var before = truck.routes.track();
+    for (double north = 1.0; north < northM; north++) {
+      truck.routes.update(truck.steered(0.1 * north, north, 0.0));
+    }
+    truck.routes.update(truck.steered(5.0, northM, headingRad));
+
+    assertThat(truck.requests).hasSize(plans);
+    assertThat(truck.routes.track().equals(before)).isEqualTo(plans == 1);
+    truck.answer = Route.none("a wall");
+    truck.routes.update(truck.steered(10.0, northM, headingRad));
+    assertThat(truck.routes.track()).isPresent();
   }
 
   /** A control that stops a little short of the route's end would not reach the goal. */
