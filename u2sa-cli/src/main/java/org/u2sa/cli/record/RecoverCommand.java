@@ -49,10 +49,10 @@ public final class RecoverCommand extends BaseCommand {
       throw wrong(whole + " already exists; give another file with --out");
     }
     McapRecovery.Result result = McapRecovery.recover(file, whole, "u2sa " + ProgramVersion.text());
-    if (result.messages() == 0 && result.trouble().isPresent()) {
+    if (result.messages() == 0) {
       Files.delete(whole);
       throw new McapException(
-          file + ": no message can be recovered: " + result.trouble().orElseThrow());
+          file + ": no message can be recovered: " + result.trouble().orElse("it contains none"));
     }
     if (json) {
       print(

@@ -7,6 +7,7 @@ import java.nio.channels.FileLock;
 import java.nio.channels.OverlappingFileLockException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.stream.Stream;
@@ -34,7 +35,7 @@ final class LogFolderClaim implements AutoCloseable {
    * Claims the folder, which is created if absent. Where that is impossible, such as on a disk that
    * is read only, nothing is claimed.
    *
-   * @throws BadInputException if another system is using it
+   * @throws BadInputException if another system is using it, or its mark is a symbolic link
    */
   @SuppressWarnings("resource") // kept open until close
   static LogFolderClaim of(Path folder, String systemId) {
@@ -42,12 +43,19 @@ final class LogFolderClaim implements AutoCloseable {
     Path unused = Files.exists(folder) ? null : folder;
     try {
       Files.createDirectories(folder);
+      if (Files.isSymbolicLink(folder.resolve(FILE))) {
+        throw new BadInputException(
+            String.format(
+                "--logs %s: %s in it is a symbolic link; remove it, or choose another folder",
+                folder, FILE));
+      }
       channel =
           FileChannel.open(
               folder.resolve(FILE),
               StandardOpenOption.CREATE,
               StandardOpenOption.READ,
-              StandardOpenOption.WRITE);
+              StandardOpenOption.WRITE,
+              LinkOption.NOFOLLOW_LINKS); // a link would have another file truncated
       String owner = owner(channel, systemId);
       if (owner.equals(systemId)) {
         return new LogFolderClaim(channel, unused);

@@ -7,11 +7,14 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -34,9 +37,13 @@ import org.u2sa.interfaces.mqtt.MqttTransport;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.recorder.mcap.ChunkCompression;
 import org.u2sa.recorder.mcap.McapCursor;
+import org.u2sa.recorder.mcap.McapOptions;
 import org.u2sa.recorder.mcap.McapReader;
+import org.u2sa.recorder.mcap.McapWriter;
 import org.u2sa.recorder.mcap.record.McapMessage;
+import org.u2sa.recorder.mcap.record.McapMetadata;
 
 /** {@code u2sa record}, {@code recover} and {@code replay} beside a system of another process. */
 @Timeout(180)
@@ -131,6 +138,20 @@ class RecordCommandsTest extends CommandFixture {
     assertThat(u2sa("recover", text.toString())).isEqualTo(ExitCode.BAD_INPUT);
     assertThat(err.toString()).contains("text.mcap: no message can be recovered");
     assertThat(directory.resolve("text-recovered.mcap")).doesNotExist();
+  }
+
+  @Test
+  void recover_undamagedWithoutAMessage_failsAndLeavesNoFile() throws IOException {
+    Path empty = directory.resolve("empty.mcap");
+    try (FileChannel to =
+            FileChannel.open(empty, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+        McapWriter writer = new McapWriter(to, McapOptions.usual(ChunkCompression.LZ4, "test"))) {
+      writer.add(new McapMetadata("nothing", Map.of("else", "here")));
+    }
+    assertThat(u2sa("recover", empty.toString())).isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(err.toString())
+        .contains("empty.mcap: no message can be recovered: it contains none");
+    assertThat(directory.resolve("empty-recovered.mcap")).doesNotExist();
   }
 
   @Test

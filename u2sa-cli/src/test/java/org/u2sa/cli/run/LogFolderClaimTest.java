@@ -44,4 +44,16 @@ class LogFolderClaimTest {
     LogFolderClaim.of(file, "rover").close();
     LogFolderClaim.of(file, "boat").close();
   }
+
+  @Test
+  void of_markIsASymbolicLink_isRefusedAndTheOtherFileIsKept() throws IOException {
+    Path other = Files.writeString(folder.resolve("other"), "kept");
+    Path logs = Files.createDirectory(folder.resolve("logs"));
+    Files.createSymbolicLink(logs.resolve(".system"), other);
+
+    assertThatThrownBy(() -> LogFolderClaim.of(logs, "rover"))
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContaining(".system in it is a symbolic link");
+    assertThat(other).hasContent("kept");
+  }
 }

@@ -15,6 +15,7 @@ import org.u2sa.core.communication.limit.Allowance;
 import org.u2sa.core.communication.limit.BrokerLimits;
 import org.u2sa.core.communication.limit.CostlyTime;
 import org.u2sa.core.communication.limit.PendingConnections;
+import org.u2sa.core.communication.limit.TimeShare;
 import org.u2sa.core.communication.limit.WorkQueue;
 import org.u2sa.core.communication.routing.RemoteSubscriptions;
 import org.u2sa.core.communication.routing.RetainedTable;
@@ -25,6 +26,10 @@ import org.u2sa.messages.schema.MessageCodec;
 final class BrokerState implements AutoCloseable {
   static final String TOO_SLOW = "client disconnected: it is too slow";
 
+  /** Part of the network thread's time for reading clients without a log-in, and for sending. */
+  private static final double ANONYMOUS_PART = 0.1;
+
+  private static final double PIECE_S = 0.005; // such a slice may delay an emergency stop
   private static final double TOTAL_BURST_S = 0.01; // maximum delay a flood may cause
 
   final BrokerLimits limits;
@@ -49,6 +54,8 @@ final class BrokerState implements AutoCloseable {
   final Allowance beyondShares; // of all clients; confined to the network thread
   final CostlyTime costlyTime; // of all clients; confined to the network thread
   final WorkQueue webTurns; // of clients that have not logged in; confined to the network thread
+  final TimeShare anonymousInput; // of clients without a log-in; confined to the network thread
+  final AnonymousOutput anonymousOutput; // likewise
   final RemoteSubscriptions subscriptions = new RemoteSubscriptions();
   final MessageRouter router;
   final SourceNames sources;
@@ -77,6 +84,9 @@ final class BrokerState implements AutoCloseable {
     beyondShares = new Allowance(totalPerS, TOTAL_BURST_S * totalPerS, clock.micros());
     costlyTime = new CostlyTime(clock.micros());
     webTurns = new WorkQueue(clock::micros);
+    anonymousInput = new TimeShare(ANONYMOUS_PART, PIECE_S, clock::micros);
+    anonymousOutput =
+        new AnonymousOutput(new TimeShare(ANONYMOUS_PART, PIECE_S, clock::micros), this::dropped);
   }
 
   private static byte[] newPass() {

@@ -9,6 +9,7 @@ import io.netty.handler.codec.mqtt.MqttConnectReturnCode;
 import io.netty.handler.codec.mqtt.MqttMessage;
 import io.netty.handler.codec.mqtt.MqttMessageBuilders;
 import io.netty.handler.codec.mqtt.MqttMessageType;
+import io.netty.handler.codec.mqtt.MqttPubAckMessage;
 import io.netty.util.ReferenceCountUtil;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
@@ -36,7 +37,7 @@ import org.u2sa.interfaces.mqtt.ClientIds;
  * sees it. Confined to its connection's thread.
  */
 final class ClientSession extends ChannelInboundHandlerAdapter
-    implements Client, Inflow.Gate, WebSession {
+    implements Client, AnonymousOutput.Recipient, Inflow.Gate, WebSession {
   private enum Stage {
     STRANGER,
     CHECKED, // password check pending
@@ -60,6 +61,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter
   private String clientId = "";
   private volatile String name = LocalAccount.ANONYMOUS;
   private User user; // null: anonymous
+  private boolean isAnonymous; // without the token of the account, where there is one
   private InetAddress from;
   private long since;
   private ScheduledFuture<?> watch;
@@ -93,6 +95,11 @@ final class ClientSession extends ChannelInboundHandlerAdapter
   }
 
   @Override
+  public String label() {
+    return Refusals.shown(ClientIds.shown(clientId));
+  }
+
+  @Override
   public boolean isOperator() {
     return user != null && user.roles().contains(AccessRole.OPERATOR);
   }
@@ -111,6 +118,17 @@ final class ClientSession extends ChannelInboundHandlerAdapter
         message.fixedHeader() != null
             && message.fixedHeader().messageType() == MqttMessageType.PINGREQ;
     return isPing ? mayPing() : subscriptions.isInTurn(message);
+  }
+
+  @Override
+  public boolean isAwaited(Object packet) {
+    return packet instanceof MqttPubAckMessage acknowledgement
+        && outflow.isAwaited(acknowledgement.variableHeader().messageId());
+  }
+
+  @Override
+  public boolean isAnonymous() {
+    return isAnonymous;
   }
 
   private boolean mayPing() {
@@ -161,6 +179,15 @@ final class ClientSession extends ChannelInboundHandlerAdapter
 
   @Override
   public boolean deliver(Publication publication, boolean eachMatters) {
+    if (isAnonymous) { // it slows no publisher down
+      broker.anonymousOutput.add(this, publication, eachMatters, context.executor());
+      return false;
+    }
+    return deliverNow(publication, eachMatters);
+  }
+
+  @Override
+  public boolean deliverNow(Publication publication, boolean eachMatters) {
     ChannelHandlerContext ctx = context;
     if (stage != Stage.IN) {
       return false;
@@ -339,6 +366,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter
     }
     user = known.get();
     name = user.name();
+    isAnonymous = said.user().isEmpty();
     if (isOperator()) { // the account's user, not anonymous
       pending.proven(this);
     }
@@ -384,7 +412,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter
     packets = new PacketFilter(broker, its, subscriptions, who(), this);
     inflow.hold();
     pending.remove(this);
-    outflow.admitted(user, clientId);
+    outflow.admitted(user, clientId, isAnonymous);
     // A rejected will does not reject the client: every U2SA client has a will, even an observer.
     Optional<String> refused = last.flatMap(its::refusalOfWill);
     refused.ifPresent(this::willRefused);

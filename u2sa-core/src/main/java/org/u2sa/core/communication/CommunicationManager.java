@@ -109,9 +109,9 @@ public final class CommunicationManager implements AutoCloseable {
     Supplier<MqttTransport> own = null;
     BrokerSecurity secured = null;
     if (manager.broker().equals("embedded")) {
+      BrokerLimits limits = OpenFiles.fitted(configured, log);
       BrokerSecurity security = BrokerSecurity.of(settings, bindAddress, port, log);
       secured = security;
-      BrokerLimits limits = OpenFiles.fitted(configured, log);
       Optional<WebPort> web = WebPort.of(manager, security.isOn());
       InetSocketAddress address = new InetSocketAddress(bindAddress, port);
       broker =

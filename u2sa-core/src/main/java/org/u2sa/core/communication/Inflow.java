@@ -29,6 +29,16 @@ final class Inflow extends ChannelInboundHandlerAdapter {
     /** Whether a packet may be accepted now; if so, it is charged to the allowances. */
     boolean isInTurn(Object packet);
 
+    /**
+     * Whether the packet acknowledges a message that was sent to the client. There are no more of
+     * them than the broker has sent, so they are not counted and never wait: behind a few hundred
+     * of them, an emergency stop would.
+     */
+    boolean isAwaited(Object packet);
+
+    /** Whether the client has no log-in where others have one. */
+    boolean isAnonymous();
+
     /** Whether the client is an operator's, which never waits for others. */
     boolean isOperator();
   }
@@ -102,7 +112,9 @@ final class Inflow extends ChannelInboundHandlerAdapter {
   public void channelRead(ChannelHandlerContext ctx, Object message) {
     decoded++;
     sincePacket = 0;
-    if (held.isEmpty() && isOpen() && isAffordable(message) && gate.isInTurn(message)) {
+    if (gate.isAwaited(message)) {
+      ctx.fireChannelRead(message);
+    } else if (held.isEmpty() && isOpen() && isAffordable(message) && gate.isInTurn(message)) {
       letIn(ctx, message);
     } else {
       held.add(message);
@@ -122,6 +134,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
         && (isWithinShare || broker.beyondShares.isOpen(now))
         && messages.isOpen(now)
         && bytes.isOpen(now)
+        && (!gate.isAnonymous() || broker.anonymousInput.isOpen())
         && (!isBehind || slowMessages.isOpen(now) && slowBytes.isOpen(now));
   }
 
@@ -148,6 +161,12 @@ final class Inflow extends ChannelInboundHandlerAdapter {
     read.run();
     long now = broker.nowMicros();
     double seconds = Clock.seconds(now - before);
+    if (gate.isAnonymous()) {
+      broker.anonymousInput.take(seconds);
+      if (!broker.anonymousInput.isOpen()) {
+        pause(context);
+      }
+    }
     isLong = sincePacket > LONG_BYTES || chargedS > 0.0;
     if (isLong) {
       lastReadS = Math.max(0.0, seconds - chargedS);
@@ -226,6 +245,14 @@ final class Inflow extends ChannelInboundHandlerAdapter {
     if (ctx.isRemoved()) {
       return;
     }
+    if (gate.isAnonymous()) {
+      broker.anonymousInput.run(() -> readOn(ctx));
+    } else {
+      readOn(ctx);
+    }
+  }
+
+  private void readOn(ChannelHandlerContext ctx) {
     boolean any = false;
     while (!held.isEmpty() && isOpen() && isAffordable(held.peek()) && gate.isInTurn(held.peek())) {
       letIn(ctx, held.poll());

@@ -40,6 +40,7 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
   private final BrokerState broker;
   private final Map<Integer, Unacknowledged> unacknowledged = new LinkedHashMap<>(); // by packet
   private User user; // null grants access to all systems
+  private boolean isAnonymous;
   private String client = "";
   private long taken; // packets written to the client's socket
   private long takenBefore;
@@ -64,8 +65,12 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
     this.broker = broker;
   }
 
-  void admitted(User whom, String clientId) {
+  /**
+   * @param anonymous whether sending is charged to the time of clients without a log-in
+   */
+  void admitted(User whom, String clientId, boolean anonymous) {
     user = whom;
+    isAnonymous = anonymous;
     idleSince = broker.nowMicros();
     client = ClientIds.shown(clientId);
   }
@@ -175,7 +180,11 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
 
   private void flush() {
     isFlushing = false;
-    packets.flush();
+    if (isAnonymous) {
+      broker.anonymousOutput.time().run(packets::flush);
+    } else {
+      packets.flush();
+    }
   }
 
   Client.Owed owed() {
@@ -208,6 +217,11 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
   /** Handles an acknowledgement; unknown packet IDs are ignored. */
   void acknowledged(int packet) {
     unacknowledged.remove(packet);
+  }
+
+  /** Whether the client has not acknowledged a message of this packet ID. */
+  boolean isAwaited(int packet) {
+    return unacknowledged.containsKey(packet);
   }
 
   /** Whether the client's backlog calls for slowing down publishers to it. */

@@ -6,7 +6,11 @@ import io.netty.buffer.Unpooled;
 import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInboundHandlerAdapter;
 import io.netty.channel.embedded.EmbeddedChannel;
+import io.netty.handler.codec.mqtt.MqttFixedHeader;
 import io.netty.handler.codec.mqtt.MqttMessageBuilders;
+import io.netty.handler.codec.mqtt.MqttMessageIdVariableHeader;
+import io.netty.handler.codec.mqtt.MqttMessageType;
+import io.netty.handler.codec.mqtt.MqttPubAckMessage;
 import io.netty.handler.codec.mqtt.MqttQoS;
 import io.netty.util.ReferenceCountUtil;
 import java.util.List;
@@ -202,6 +206,77 @@ class InflowTest {
     }
     assertThat(taken).as("60 ms each, in 6 s").isBetween(40, 51);
     for (EmbeddedChannel each : List.of(flood, other, modest)) {
+      each.finishAndReleaseAll();
+    }
+  }
+
+  /** A client that is ready at any time. */
+  private record TestGate(boolean isAnonymous) implements Inflow.Gate {
+    @Override
+    public boolean isReady() {
+      return true;
+    }
+
+    @Override
+    public boolean isInTurn(Object packet) {
+      return true;
+    }
+
+    @Override
+    public boolean isAwaited(Object packet) {
+      return packet instanceof MqttPubAckMessage;
+    }
+
+    @Override
+    public boolean isOperator() {
+      return !isAnonymous;
+    }
+  }
+
+  private void acknowledge(EmbeddedChannel client, int messages) {
+    for (int i = 1; i <= messages; i++) {
+      client.writeInbound(
+          new MqttPubAckMessage(
+              new MqttFixedHeader(
+                  MqttMessageType.PUBACK, false, MqttQoS.AT_MOST_ONCE, false, Short.BYTES),
+              MqttMessageIdVariableHeader.from(i)));
+    }
+  }
+
+  @Test
+  void channelRead_stopBehindHundredsOfAcknowledgements_doesNotWaitThoughASubscriberIsBehind() {
+    Inflow bridge = new Inflow(filter, new TestGate(false));
+    EmbeddedChannel client = new EmbeddedChannel(bridge);
+    bridge.subscriberIsBehind(true);
+
+    acknowledge(client, 1_000);
+    send(client, "u2sa/cessna/emergency-stop/EmergencyStop", 50);
+
+    assertThat(letIn(client)).isEqualTo(1_001);
+    client.finishAndReleaseAll();
+  }
+
+  @Test
+  void process_readsOfClientsWithoutALogIn_getATenthOfTheTimeTogether() {
+    BrokerState crowded = filter(Map.of());
+    Inflow first = new Inflow(crowded, new TestGate(true));
+    Inflow second = new Inflow(crowded, new TestGate(true));
+    Inflow pilot = new Inflow(crowded, new TestGate(false));
+    EmbeddedChannel one = new EmbeddedChannel(first);
+    EmbeddedChannel other = new EmbeddedChannel(second);
+    EmbeddedChannel operator = new EmbeddedChannel(pilot);
+
+    first.process(() -> nowMicros += 100_000);
+    assertThat(one.config().isAutoRead()).isFalse();
+    send(other, 1);
+    send(operator, 1);
+    assertThat(letIn(other)).isZero();
+    assertThat(letIn(operator)).isEqualTo(1);
+    pass(other, 500);
+    assertThat(letIn(other)).isZero();
+    pass(other, 500);
+    assertThat(letIn(other)).isEqualTo(1);
+    for (EmbeddedChannel each : List.of(one, other, operator)) {
       each.finishAndReleaseAll();
     }
   }

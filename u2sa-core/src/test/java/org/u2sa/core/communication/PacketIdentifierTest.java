@@ -2,6 +2,7 @@ package org.u2sa.core.communication;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.HashSet;
@@ -105,6 +106,22 @@ class PacketIdentifierTest {
     }
     assertThat(pipeline.channel.isOpen()).isTrue();
     assertThat(pipeline.taken()).isEmpty();
+  }
+
+  @Test
+  void channelRead_stopBehindHundredsOfAcknowledgements_isTakenAtOnceThoughASubscriberIsBehind() {
+    pipeline.send(MqttPacketBytes.subscribeToEach("u2sa/#"));
+    pipeline.sent();
+    publishLocally(500);
+    pipeline.session.subscriberIsBehind(true);
+    ByteBuffer acknowledgements = ByteBuffer.allocate(4 * 500);
+    pipeline
+        .sentIdentifiers()
+        .forEach(id -> acknowledgements.putShort((short) 0x4002).putShort(id.shortValue()));
+    pipeline.send(acknowledgements.array());
+
+    pipeline.send(MqttPacketBytes.publish(TOPIC, 1, 7));
+    assertThat(pipeline.sent()).contains("40");
   }
 
   @Test

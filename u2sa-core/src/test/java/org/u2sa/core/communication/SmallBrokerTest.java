@@ -5,8 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.net.DatagramPacket;
 import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.net.MulticastSocket;
 import java.net.NetworkInterface;
+import java.net.Socket;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -180,11 +182,18 @@ class SmallBrokerTest {
     return Arrays.copyOf(out.array(), out.position());
   }
 
+  /** Each address may have 32 pending connections. */
+  private static Socket socketFrom(String address) throws IOException {
+    Socket socket = new Socket();
+    socket.bind(new InetSocketAddress(address, 0));
+    return socket;
+  }
+
   @Test
   void fileDescriptors_allTaken_theBrokerAcceptsAgainWhenSomeAreFree() throws IOException {
-    broker = new SmallBroker(120, "256m");
-    for (int i = 0; i < 200; i++) {
-      clients.add(new RawClient(broker.port)); // the kernel accepts what the broker cannot
+    broker = new SmallBroker(160, "256m");
+    for (int i = 0; i < 200; i++) { // the kernel accepts what the broker cannot
+      clients.add(new RawClient(socketFrom("127.0.0." + (1 + i / 50)), broker.port));
     }
     assertThat(clients.get(0).isPutOut()).as("the oldest gives way").isTrue();
     leave();

@@ -137,7 +137,11 @@ public final class MavlinkBridge implements AutoCloseable {
           Math.max(
               0, asked - 1); // the broker is unreachable; the link reports it and retries later
     }
-    vehicle.orders.step(nowMicros);
+    try {
+      vehicle.orders.step(nowMicros);
+    } catch (CommunicationException e) { // an answer led to another message
+      console.accept("MAVLink bridge: " + e.getMessage());
+    }
     List<Object> reached = vehicle.progress.reached();
     vehicle.events.step(reached);
     Optional<String> failsafe = failsafeText();

@@ -13,6 +13,7 @@ import org.u2sa.gcs.mavlink.file.RecordingFolder;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
 import org.u2sa.gcs.mavlink.vehicle.OrdersUnderWay;
 import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
+import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.mavlink.MavlinkSigning;
 import org.u2sa.mavlink.MavlinkStream;
 import org.u2sa.messages.StateInformation;
@@ -34,6 +35,7 @@ final class BridgeKit {
 
   final AtomicLong clock = new AtomicLong(1_800_000_000_000_000L);
   final List<U2SAData> published = new ArrayList<>();
+  boolean isLinkLost;
   final BridgedVehicle vehicle;
   final StationSession session;
   MavlinkStream station;
@@ -52,14 +54,20 @@ final class BridgeKit {
       VehicleKind kind,
       Optional<String> key,
       Optional<RecordingFolder> recordings) {
-    OrdersUnderWay orders =
-        new OrdersUnderWay((channel, message) -> published.add(message), "tester");
+    OrdersUnderWay orders = new OrdersUnderWay((channel, message) -> publish(message), "tester");
     vehicle =
         new BridgedVehicle(orders, identity, Optional.of(kind), "boat", 1, recordings, clock::get);
     session = new StationSession(vehicle, key.map(each -> new MavlinkSigning(each, clock::get)));
     station =
         new MavlinkStream(STATION, 190, key.map(each -> new MavlinkSigning(each, clock::get)));
     step();
+  }
+
+  private void publish(U2SAData message) {
+    if (isLinkLost) {
+      throw new CommunicationException("the connection is lost");
+    }
+    published.add(message);
   }
 
   /** Lets the station send as another of its components. */
@@ -145,7 +153,11 @@ final class BridgeKit {
   }
 
   void step() {
-    vehicle.model.refresh();
+    try {
+      vehicle.model.refresh();
+    } catch (CommunicationException e) {
+      received.add(e); // as the bridge does, which goes on
+    }
     vehicle.orders.step(clock.get());
     vehicle.events.step(vehicle.progress.reached());
     session.step(clock.get());

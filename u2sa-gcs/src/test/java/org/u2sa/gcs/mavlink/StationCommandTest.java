@@ -15,6 +15,7 @@ import org.u2sa.gcs.mavlink.vehicle.Identity;
 import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
 import org.u2sa.messages.AircraftState;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.contract.DiscoveryRequest;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.goal.Waypoint;
@@ -23,6 +24,7 @@ import org.u2sa.messages.mission.MissionOrder;
 import org.u2sa.messages.safety.ArmCommand;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.EmergencyStop;
+import org.u2sa.messages.schema.U2SAData;
 
 /** What becomes of a station's commands. */
 @SuppressWarnings("deprecation") // stations still send these
@@ -222,12 +224,82 @@ class StationCommandTest {
     assertThat(result()).isEqualTo(MavResult.MAV_RESULT_ACCEPTED);
   }
 
+  private List<MavResult> results() {
+    return kit.received(CommandAck.class).stream().map(ack -> ack.result().entry()).toList();
+  }
+
+  private <T extends U2SAData> T publishedAt(Class<T> type, long micros) {
+    T published = kit.orders(type).get(0);
+    published.timestamp(micros);
+    return published;
+  }
+
   @Test
-  void terminate_vehicleSilent_isDenied() {
+  void terminate_vehicleIsSlow_isInProgressAndRepeatedUntilItIsForwardedThenAccepted() {
+    kit.command(TERMINATE, 1);
+    EmergencyStop stop = publishedAt(EmergencyStop.class, 1L);
+    kit.advance(2.0);
+    assertThat(results()).hasSizeGreaterThan(2).containsOnly(MavResult.MAV_RESULT_IN_PROGRESS);
+    assertThat(kit.orders(EmergencyStop.class)).hasSizeGreaterThan(2).containsOnly(stop);
+
+    kit.says(stop); // forwarded by the broker
+    kit.advance(20.0);
+    assertThat(kit.orders(EmergencyStop.class)).isEmpty();
+    assertThat(results()).containsOnly(MavResult.MAV_RESULT_IN_PROGRESS);
+    confirm(stop);
+    assertThat(results()).containsExactly(MavResult.MAV_RESULT_ACCEPTED);
+  }
+
+  @Test
+  void terminate_neverConfirmed_failsAfterHalfAMinuteAndIsNotDenied() {
+    kit.command(TERMINATE, 1);
+    kit.says(publishedAt(EmergencyStop.class, 1L));
+    kit.advance(29.0);
+    assertThat(results()).containsOnly(MavResult.MAV_RESULT_IN_PROGRESS);
+    kit.advance(2.0);
+    assertThat(results())
+        .endsWith(MavResult.MAV_RESULT_FAILED)
+        .containsOnlyOnce(MavResult.MAV_RESULT_FAILED)
+        .doesNotContain(MavResult.MAV_RESULT_DENIED);
+    assertThat(kit.texts()).contains("DO_FLIGHTTERMINATION failed: no service");
+  }
+
+  @Test
+  void terminate_brokerForwardsALaterQuestionOnly_isDeniedForLackOfTheRole() {
+    kit.command(TERMINATE, 1);
+    publishedAt(EmergencyStop.class, 1L);
+    kit.advance(3.5);
+    assertThat(results()).containsOnly(MavResult.MAV_RESULT_IN_PROGRESS);
+    DiscoveryRequest others = new DiscoveryRequest();
+    others.timestamp(5L);
+    kit.says(others);
+    kit.advance(0.1);
+    assertThat(results()).isEmpty();
+    kit.says(publishedAt(DiscoveryRequest.class, 2L));
+    kit.advance(0.1);
+    assertThat(results()).containsExactly(MavResult.MAV_RESULT_DENIED);
+    assertThat(kit.texts()).contains("lacks the role operator");
+  }
+
+  @Test
+  void terminate_connectionIsLost_isPublishedAgainUntilItIsAccepted() {
+    kit.isLinkLost = true;
     kit.command(TERMINATE, 1);
     kit.advance(4.0);
-    assertThat(result()).isEqualTo(MavResult.MAV_RESULT_DENIED);
-    assertThat(kit.texts()).contains("may lack the role operator");
+    assertThat(results()).containsOnly(MavResult.MAV_RESULT_IN_PROGRESS);
+    kit.isLinkLost = false;
+    kit.advance(0.6);
+    confirm(kit.orders(EmergencyStop.class).get(0));
+    assertThat(results()).endsWith(MavResult.MAV_RESULT_ACCEPTED);
+  }
+
+  @Test
+  void terminate_clearedMeanwhile_isNotPublishedAgain() {
+    kit.command(TERMINATE, 1);
+    publishedAt(EmergencyStop.class, 1L);
+    kit.says(new EmergencyStop().active(false).clears(1L));
+    kit.advance(2.0);
+    assertThat(kit.orders(EmergencyStop.class)).isEmpty();
   }
 
   @Test

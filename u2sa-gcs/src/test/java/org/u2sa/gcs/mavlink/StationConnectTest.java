@@ -64,16 +64,26 @@ class StationConnectTest {
   }
 
   @Test
-  void command_everyKnownOne_isAnsweredExactlyOnce() {
+  void command_everyKnownOne_isAnsweredExactlyOnceThoughItMayBeInProgressBefore() {
     for (MavCmd each : MavCmd.values()) {
       kit.command(EnumValue.of(each).value());
       kit.advance(4.0); // the scripted vehicle answers nothing
-      List<CommandAck> answers = kit.received(CommandAck.class);
+      List<CommandAck> answers = finalAnswers();
+      if (answers.isEmpty()) { // an order to stop or disarm
+        kit.advance(30.0);
+        answers = finalAnswers();
+      }
       assertThat(answers).as(each.name()).hasSize(1);
       assertThat(answers.get(0).command().value()).isEqualTo(EnumValue.of(each).value());
     }
     kit.command(31_000);
     assertThat(result()).isEqualTo(MavResult.MAV_RESULT_UNSUPPORTED);
+  }
+
+  private List<CommandAck> finalAnswers() {
+    return kit.received(CommandAck.class).stream()
+        .filter(ack -> ack.result().entry() != MavResult.MAV_RESULT_IN_PROGRESS)
+        .toList();
   }
 
   @Test

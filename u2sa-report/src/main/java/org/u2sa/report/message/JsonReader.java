@@ -24,6 +24,8 @@ public final class JsonReader {
   private static final JsonFactory FACTORY =
       JsonFactory.builder().enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION).build();
 
+  private static final int LONGEST_SHOWN = 300; // characters of others, in errors
+
   private final JsonParser parser;
   private final String origin;
   private int left; // remaining number of values
@@ -56,7 +58,10 @@ public final class JsonReader {
     try (JsonParser parser = FACTORY.createParser(text)) {
       if (parser.nextToken() != JsonToken.START_OBJECT) {
         throw new BadInputException(
-            origin + ": expected a JSON object, such as {\"x\": 1.5}, not \"" + text + "\"");
+            origin
+                + ": expected a JSON object, such as {\"x\": 1.5}, not \""
+                + shortened(text)
+                + "\"");
       }
       Map<String, Object> object = new JsonReader(parser, origin, most).map(1);
       if (parser.nextToken() != null) {
@@ -69,10 +74,14 @@ public final class JsonReader {
           at == null
               ? origin
               : String.format("%s, line %d, column %d", origin, at.getLineNr(), at.getColumnNr());
-      throw new BadInputException(where + ": " + e.getOriginalMessage(), e);
+      throw new BadInputException(where + ": " + shortened(e.getOriginalMessage()), e);
     } catch (IOException e) {
       throw new UncheckedIOException("reading from memory", e);
     }
+  }
+
+  private static String shortened(String text) {
+    return text.length() <= LONGEST_SHOWN ? text : text.substring(0, LONGEST_SHOWN) + "…";
   }
 
   private Map<String, Object> map(int depth) throws IOException {

@@ -139,6 +139,17 @@ class MessageFromJsonTest {
   }
 
   @Test
+  void object_longTextThatIsNone_isShortenedInTheError() {
+    for (String text : List.of("[".repeat(200_000), "{\"" + "a".repeat(200_000) + "\":}")) {
+      assertThatThrownBy(() -> JsonReader.object("schema", text))
+          .isInstanceOf(BadInputException.class)
+          .message()
+          .startsWith("schema")
+          .hasSizeLessThan(1_000);
+    }
+  }
+
+  @Test
   void object_deeplyNested_isRefused() {
     assertThatThrownBy(() -> JsonReader.object("JSON", "{\"a\":" + "[".repeat(100_000)))
         .isInstanceOf(BadInputException.class);

@@ -77,9 +77,9 @@ public record BrokerLimits(
   private static final int OPERATORS_PART = 16;
 
   /** Files, devices and sockets of the process's services. */
-  private static final int OWN_FILES = 128;
+  static final int OWN_FILES = 128;
 
-  private static final int MIN_CLIENTS = 16;
+  static final int MIN_CLIENTS = 16;
 
   /** Bytes allowed before the first packet is complete, encryption included. */
   public static final int FIRST_PACKET_BYTES = 64 * 1_024;

@@ -4,7 +4,6 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
-import org.u2sa.interfaces.time.Clock;
 
 /**
  * Rations the network thread's time for clients of the web port that have not logged in: together
@@ -15,14 +14,12 @@ public final class WorkQueue {
   private static final double PART = 0.2;
   private static final double PIECE_S = 0.005;
 
-  private final LongSupplier nowMicros;
-  private final Allowance time; // [s]
+  private final TimeShare time;
   private final Deque<Runnable> waiting = new ArrayDeque<>();
 
   /** Starts with the full allowance. */
   public WorkQueue(LongSupplier nowMicros) {
-    this.nowMicros = nowMicros;
-    time = Allowance.ofTime(PART, PIECE_S, nowMicros.getAsLong());
+    time = new TimeShare(PART, PIECE_S, nowMicros);
   }
 
   /**
@@ -32,8 +29,8 @@ public final class WorkQueue {
    * @param later runs a task a few milliseconds later on the network thread
    */
   public void run(Runnable work, Consumer<Runnable> later) {
-    if (waiting.isEmpty() && time.isOpen(nowMicros.getAsLong())) {
-      runTimed(work);
+    if (waiting.isEmpty() && time.isOpen()) {
+      time.run(work);
       return;
     }
     waiting.add(work);
@@ -44,9 +41,9 @@ public final class WorkQueue {
 
   private void runWaiting(Consumer<Runnable> later) {
     try {
-      while (!waiting.isEmpty() && time.isOpen(nowMicros.getAsLong())) {
+      while (!waiting.isEmpty() && time.isOpen()) {
         try {
-          runTimed(waiting.peek());
+          time.run(waiting.peek());
         } finally {
           waiting.remove(); // afterwards, or work added meanwhile would start a second round
         }
@@ -55,15 +52,6 @@ public final class WorkQueue {
       if (!waiting.isEmpty()) {
         later.accept(() -> runWaiting(later));
       }
-    }
-  }
-
-  private void runTimed(Runnable work) {
-    long before = nowMicros.getAsLong();
-    try {
-      work.run();
-    } finally {
-      time.take(Clock.seconds(nowMicros.getAsLong() - before));
     }
   }
 }

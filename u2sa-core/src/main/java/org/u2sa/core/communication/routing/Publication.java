@@ -2,6 +2,7 @@ package org.u2sa.core.communication.routing;
 
 import io.netty.buffer.ByteBuf;
 import io.netty.buffer.ByteBufAllocator;
+import io.netty.buffer.ByteBufUtil;
 import io.netty.buffer.Unpooled;
 
 /**
@@ -21,6 +22,7 @@ public final class Publication {
   private final ByteBuf payload;
   private final boolean isRetained;
   private ByteBuf unconfirmed; // null until needed
+  private ByteBuf copy; // of the payload; likewise; on the heap
 
   /**
    * @param payload remains owned by the caller
@@ -78,6 +80,19 @@ public final class Publication {
     return isCopied
         ? packet.writeBytes(payload, payload.readerIndex(), bytes)
         : Unpooled.wrappedBuffer(packet, payload.retainedDuplicate());
+  }
+
+  /** Bytes of the payload. */
+  public int length() {
+    return payload.readableBytes();
+  }
+
+  /** The same message, which outlasts the payload; to be released by the caller. */
+  public Publication lasting() {
+    if (copy == null) {
+      copy = Unpooled.wrappedBuffer(ByteBufUtil.getBytes(payload));
+    }
+    return new Publication(route, copy, isRetained);
   }
 
   /** Releases the shared buffers. */

@@ -66,7 +66,9 @@ public final class CommandService {
             answer(
                 "command " + name(command.id()) + " refused",
                 result -> {
-                  pending.remove(command);
+                  if (result != MavResult.MAV_RESULT_IN_PROGRESS) {
+                    pending.remove(command);
+                  }
                   acknowledge(command.id(), result, from);
                 }));
     if (!isKnown) {
@@ -82,11 +84,30 @@ public final class CommandService {
   }
 
   private Answer answer(String ifRefused, Outcome outcome) {
-    return (accepted, text) -> {
-      if (!accepted) {
-        station.text(MavSeverity.MAV_SEVERITY_ERROR, ifRefused + ": " + text);
+    return new Answer() {
+      @Override
+      public void done(boolean accepted, String text) {
+        end(
+            accepted ? MavResult.MAV_RESULT_ACCEPTED : MavResult.MAV_RESULT_DENIED,
+            ifRefused + ": " + text);
       }
-      outcome.is(accepted ? MavResult.MAV_RESULT_ACCEPTED : MavResult.MAV_RESULT_DENIED);
+
+      @Override
+      public void failed(String text) {
+        end(MavResult.MAV_RESULT_FAILED, ifRefused.replace(" refused", " failed") + ": " + text);
+      }
+
+      private void end(MavResult result, String ifNotAccepted) {
+        if (result != MavResult.MAV_RESULT_ACCEPTED) {
+          station.text(MavSeverity.MAV_SEVERITY_ERROR, ifNotAccepted);
+        }
+        outcome.is(result);
+      }
+
+      @Override
+      public void inProgress() {
+        outcome.is(MavResult.MAV_RESULT_IN_PROGRESS);
+      }
     };
   }
 

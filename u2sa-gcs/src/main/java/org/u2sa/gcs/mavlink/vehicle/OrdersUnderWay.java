@@ -21,7 +21,9 @@ import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Orders of all stations that wait for the vehicle's answer. Each is answered once, on the thread
- * that calls {@link #step}: by the vehicle, or with a failure after 3 s.
+ * that calls {@link #step}: by the vehicle, or with a failure after 3 s. Orders to stop or disarm
+ * are not given up so soon: the station hears that they are in progress, for up to 30 s, and they
+ * are published again while the broker has not forwarded them.
  *
  * <p>Every station has places of its own for every kind of order, so that no station and no bulk of
  * changes keeps an order to stop, hold or disarm waiting. Stops and arming are published at once.
@@ -57,6 +59,11 @@ public final class OrdersUnderWay {
     Kind(Urgency urgency) {
       this.urgency = urgency;
     }
+
+    /** Whether a station that hears too early that the order failed may rely on a wrong state. */
+    boolean isPersistent() {
+      return this == STOP || this == DISARM;
+    }
   }
 
   private enum Urgency {
@@ -66,7 +73,7 @@ public final class OrdersUnderWay {
   }
 
   /** An order that has not been published. */
-  private record Order(
+  record Order(
       String id,
       VehicleOrders station,
       Kind kind,
@@ -74,30 +81,31 @@ public final class OrdersUnderWay {
       U2SAData message,
       VehicleOrders.Answer answer) {}
 
-  private record Pending(
-      long deadlineMicros, VehicleOrders station, Kind kind, VehicleOrders.Answer answer) {
-    private void done(boolean accepted, String text) {
-      station.leavePlace(kind);
-      answer.done(accepted, text);
-    }
+  private enum Outcome {
+    ACCEPTED,
+    DENIED,
+    FAILED
   }
 
-  private record Result(String id, boolean accepted, String text) {}
+  private record Result(String id, Outcome outcome, String text) {}
 
-  private static final long ANSWER_WITHIN_MICROS = 3_000_000;
   private static final int PLACES = 32; // of a station, for a kind
   private static final int MAX_STATIONS = 16;
   private static final double PER_S = 25.0; // half of the broker's; a long one counts as several
   private static final double BURST = 10.0;
+  private static final double REPETITIONS_PER_S = 4.0;
 
   private final Publisher publisher;
   private final String operator;
-  private final Map<String, Pending> pending = new ConcurrentHashMap<>();
+  private final Map<String, OrderUnderWay> pending = new ConcurrentHashMap<>();
   private final Queue<Result> results = new ConcurrentLinkedQueue<>();
   private final String stopId; // the same for all: stations repeat a stop until it is acknowledged
   private final Turns<Order> soon = new Turns<>();
   private final Turns<Order> later = new Turns<>();
   private final Allowance allowance = new Allowance(PER_S, BURST, 0L);
+  private final Allowance stops = new Allowance(REPETITIONS_PER_S, 0L);
+  private final Allowance repetitions = new Allowance(REPETITIONS_PER_S, 0L); // of other orders
+  private final Allowance questions = new Allowance(1.0, 0L);
   private long nowMicros;
 
   /**
@@ -160,13 +168,14 @@ public final class OrdersUnderWay {
 
   private void publish(Order order) {
     makeRoom();
-    long deadlineMicros = nowMicros + ANSWER_WITHIN_MICROS;
-    pending.put(
-        order.id(), new Pending(deadlineMicros, order.station(), order.kind(), order.answer()));
+    OrderUnderWay begun = new OrderUnderWay(order, nowMicros);
+    pending.put(order.id(), begun);
     try {
-      publisher.publish(order.channel(), order.message());
+      begun.publish(publisher);
     } catch (CommunicationException e) {
-      results.add(new Result(order.id(), false, e.getMessage()));
+      if (!order.kind().isPersistent()) {
+        results.add(new Result(order.id(), Outcome.FAILED, e.getMessage()));
+      }
     }
   }
 
@@ -180,16 +189,23 @@ public final class OrdersUnderWay {
   private void makeRoom() {
     if (pending.size() >= MAX_STATIONS * PLACES * Kind.values().length) {
       pending.entrySet().stream()
-          .filter(each -> each.getValue().station().isClosed())
-          .min(Comparator.comparingLong(each -> each.getValue().deadlineMicros()))
-          .ifPresent(oldest -> end(oldest.getKey(), false, "its station has left"));
+          .filter(each -> each.getValue().order().station().isClosed())
+          .min(Comparator.comparingLong(each -> each.getValue().sinceMicros()))
+          .ifPresent(oldest -> end(oldest.getKey(), Outcome.DENIED, "its station has left"));
     }
   }
 
-  private void end(String id, boolean accepted, String text) {
-    Pending asked = pending.remove(id);
-    if (asked != null) { // the first answer counts
-      asked.done(accepted, text);
+  private void end(String id, Outcome outcome, String text) {
+    OrderUnderWay asked = pending.remove(id);
+    if (asked == null) { // the first answer counts
+      return;
+    }
+    Order order = asked.order();
+    order.station().leavePlace(order.kind());
+    if (outcome == Outcome.FAILED) {
+      order.answer().failed(text);
+    } else {
+      order.answer().done(outcome == Outcome.ACCEPTED, text);
     }
   }
 
@@ -205,19 +221,19 @@ public final class OrdersUnderWay {
       answered(result.requestId(), result.accepted(), result.reason());
     } else if (message instanceof ArmingState state && state.requestId().isPresent()) {
       String id = state.requestId().get();
-      Pending asked = pending.get(id);
+      OrderUnderWay asked = pending.get(id);
       if (asked != null) {
-        boolean isArm = asked.kind() == Kind.ARM;
+        boolean isArm = asked.order().kind() == Kind.ARM;
         boolean isRefused = isArm && !state.reasons().isEmpty(); // perhaps armed before
         boolean isDone = state.armed() == isArm && !isRefused;
         answered(id, isDone, String.join("; ", state.reasons()));
       }
     } else if (message instanceof ManualState state && state.requestId().isPresent()) {
-      Pending asked = pending.get(state.requestId().get());
+      OrderUnderWay asked = pending.get(state.requestId().get());
       if (asked != null) {
         answered(
             state.requestId().get(),
-            state.active() == (asked.kind() == Kind.DRIVE),
+            state.active() == (asked.order().kind() == Kind.DRIVE),
             state.reason().orElse(""));
       }
     } else if (message instanceof HealthReport report
@@ -225,16 +241,18 @@ public final class OrdersUnderWay {
       String by = "in force at " + report.serviceName();
       pending.forEach(
           (id, asked) -> {
-            if (asked.kind() == Kind.STOP) {
+            if (asked.order().kind() == Kind.STOP) {
               answered(id, true, by);
             }
           });
+    } else {
+      pending.values().forEach(each -> each.take(message));
     }
   }
 
   private void answered(String id, boolean accepted, String text) {
     if (pending.containsKey(id)) {
-      results.add(new Result(id, accepted, text));
+      results.add(new Result(id, accepted ? Outcome.ACCEPTED : Outcome.DENIED, text));
     }
   }
 
@@ -242,17 +260,41 @@ public final class OrdersUnderWay {
   public void step(long micros) {
     nowMicros = micros;
     for (Result result = results.poll(); result != null; result = results.poll()) {
-      end(result.id(), result.accepted(), result.text());
+      end(result.id(), result.outcome(), result.text());
     }
-    pending.forEach(
-        (id, asked) -> {
-          if (micros > asked.deadlineMicros()) {
-            end(
-                id,
-                false,
-                "no answer from the vehicle: the bridge's user may lack the role operator, or no service there handles it");
-          }
-        });
+    pending.forEach(this::look);
     publishDue();
+  }
+
+  private void look(String id, OrderUnderWay asked) {
+    boolean isPersistent = asked.order().kind().isPersistent();
+    if (asked.isRefused()) {
+      end(
+          id,
+          Outcome.DENIED,
+          "the broker forwards no orders of the bridge's user: it lacks the role operator");
+    } else if (asked.isOver(nowMicros)) {
+      end(id, isPersistent ? Outcome.FAILED : Outcome.DENIED, asked.whyOver());
+    } else if (isPersistent && asked.isDue(nowMicros)) {
+      asked.order().answer().inProgress();
+      repeat(asked);
+    }
+  }
+
+  /** Publishes an order again where necessary; all stops are the same one. */
+  private void repeat(OrderUnderWay asked) {
+    boolean isStop = asked.order().kind() == Kind.STOP;
+    Allowance allowed = isStop ? stops : repetitions;
+    try {
+      if (asked.isToAsk(nowMicros) && questions.isOpen(nowMicros)) {
+        questions.take(1.0);
+        asked.ask(publisher);
+      } else if (asked.isToRepeat() && allowed.isOpen(nowMicros)) {
+        allowed.take(1.0);
+        asked.publish(publisher);
+      }
+    } catch (CommunicationException e) {
+      return; // tried again; the last failure is reported in the end
+    }
   }
 }

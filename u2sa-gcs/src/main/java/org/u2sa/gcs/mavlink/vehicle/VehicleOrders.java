@@ -27,11 +27,19 @@ public final class VehicleOrders {
   @FunctionalInterface
   public interface Answer {
     /**
-     * Called once.
+     * Called once, unless {@link #failed} is.
      *
      * @param text what was done, or the reason for the failure
      */
     void done(boolean accepted, String text);
+
+    /** Called instead of {@link #done} if it is unknown whether the vehicle obeys. */
+    default void failed(String text) {
+      done(false, text);
+    }
+
+    /** Called from time to time before one of the others. */
+    default void inProgress() {}
   }
 
   private static final Set<MissionAction> CALM =

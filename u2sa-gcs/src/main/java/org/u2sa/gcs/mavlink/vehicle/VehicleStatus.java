@@ -53,6 +53,7 @@ public final class VehicleStatus {
           Channels.STATE,
           Channels.GOALS,
           Channels.MISSION,
+          Channels.ARMING,
           Channels.ARMING_STATE,
           Channels.FAILSAFE,
           Channels.FENCE,
