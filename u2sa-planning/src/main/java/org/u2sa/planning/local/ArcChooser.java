@@ -215,7 +215,7 @@ public final class ArcChooser {
   }
 
   /**
-   * Moves to where it can turn and keeps its clearance, by the shorter way ahead or in reverse;
+   * Moves to where it can turn and keeps its clearance, by the better way ahead or in reverse;
    * empty if it need not, or if there is no such way.
    */
   private Optional<ArcChoice> toRoom() {
@@ -228,7 +228,7 @@ public final class ArcChooser {
     boolean isBackFirst =
         turnRoom.makesRoom() // otherwise it would go to and fro
             ? backsOut
-            : ahead.isEmpty() || back.isPresent() && back.get().wayM() <= ahead.get().wayM();
+            : ahead.isEmpty() || back.isPresent() && back.get().costM() <= ahead.get().costM();
     Optional<ArcChoice> first = (isBackFirst ? back : ahead).flatMap(this::onWay);
     return first.or(() -> (isBackFirst ? ahead : back).flatMap(this::onWay));
   }

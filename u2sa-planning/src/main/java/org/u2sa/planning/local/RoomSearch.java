@@ -14,7 +14,7 @@ final class RoomSearch {
   private static final double BEND = 0.5; // curvature of the outer ones, of the tightest
   private static final double REACH_RADII = 10.0; // length of the longest way
   private static final double MOST_RAD = Math.toRadians(60.0); // turn on an arc
-  private static final double SAME_M = 0.02; // smaller differences of clearances are ignored
+  private static final double CLOSE = 10.0; // cost of each metre closer than the clearance [m]
 
   private final CostGrid costs;
   private final BodyDiscs body;
@@ -26,9 +26,9 @@ final class RoomSearch {
    *
    * @param curvature [1/m], right positive
    * @param wayM length [m]
-   * @param clearanceM least distance to obstacles on it, up to the clearance of routes [m]
+   * @param costM the same, more where it comes closer to obstacles than routes do [m]
    */
-  record Way(boolean backwards, double curvature, double wayM, double clearanceM) {}
+  record Way(boolean backwards, double curvature, double wayM, double costM) {}
 
   RoomSearch(CostGrid costs, BodyDiscs body, MotionLimits limits, Pose pose) {
     this.costs = costs;
@@ -37,13 +37,13 @@ final class RoomSearch {
     this.pose = pose;
   }
 
-  /** The way in one direction that keeps the largest clearance; of equal ones, the straightest. */
+  /** The way of least cost in one direction; of equal ones, the straightest. */
   Optional<Way> best(boolean backwards) {
     Way best = null;
     for (int side = 0; side <= 2 * FAN; side++) {
       int k = (side % 2 == 0 ? 1 : -1) * ((side + 1) / 2); // straight first
       Way way = along(backwards, BEND * limits.tightest() * k / FAN);
-      if (way != null && (best == null || way.clearanceM() > best.clearanceM() + SAME_M)) {
+      if (way != null && (best == null || way.costM() < best.costM() - costs.frame().cellM())) {
         best = way;
       }
     }
@@ -68,7 +68,7 @@ final class RoomSearch {
       leastM = Math.min(leastM, clearance);
       double turningM = costs.distanceM(at.northM(), at.eastM()) - body.circleM();
       if (turningM >= enoughM) {
-        return new Way(backwards, curvature, gone, leastM);
+        return new Way(backwards, curvature, gone, gone + CLOSE * (limits.clearanceM() - leastM));
       }
     }
     return null;

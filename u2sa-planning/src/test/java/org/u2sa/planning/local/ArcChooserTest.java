@@ -636,4 +636,14 @@ class ArcChooserTest {
 
     assertThat(choice.backwards()).isFalse();
   }
+
+  @Test
+  void along_turnBesideALongWall_bendsAwayFromItRatherThanBackAlongIt() {
+    wall(-8.0, 8.0, 0.49, 0.56);
+
+    ArcChoice choice = leaves(0.2, 1.0);
+    assertThat(choice.kind()).isEqualTo(ArcChoice.Kind.MAKE_ROOM);
+    assertThat(Math.abs(choice.northM())).isLessThan(1.5);
+    assertThat(choice.eastM()).isLessThan(-0.03);
+  }
 }
