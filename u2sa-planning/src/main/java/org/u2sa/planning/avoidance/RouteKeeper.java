@@ -142,7 +142,7 @@ final class RouteKeeper {
     }
     double leftM = Math.max(now.limits().lookAheadM(), 0.5 * now.limits().turnRadiusM());
     boolean changed = world.revision() != revision;
-    boolean blocked = changed && track.isPresent() && costLeft() == Double.POSITIVE_INFINITY;
+    boolean blocked = changed && track.isPresent() && costLeft(now) == Double.POSITIVE_INFINITY;
     boolean due = now.micros() - plannedMicros >= now.settings().replanMicros();
     boolean hopeless = track.isEmpty() && world.revision() == triedRevision && !isElsewhere(now);
     boolean lacking = track.isEmpty() && (searches || (due && !hopeless));
@@ -161,7 +161,7 @@ final class RouteKeeper {
     } else if (changed && due || look.isUnderWay() && searches) {
       Route route = plan(now);
       searches = look.isUnderWay() && route.goesOn();
-      boolean isBetter = look.isUnderWay() || route.cost() < BETTER * costLeft();
+      boolean isBetter = look.isUnderWay() || route.cost() < BETTER * costLeft(now);
       if (route.exists() && isBetter) {
         track = Optional.of(new RouteTrack(route));
         look.wayFound();
@@ -342,7 +342,7 @@ final class RouteKeeper {
   }
 
   /** Current cost of the rest of the route [m]; infinite if it is blocked. */
-  private double costLeft() {
+  private double costLeft(Situation now) {
     CostGrid costs = world.costs();
     RouteTrack route = track.get();
     double north = route.northAheadM(0.0);
@@ -352,7 +352,7 @@ final class RouteKeeper {
       double cost = costs.straightCost(north, east, route.northM(i), route.eastM(i));
       boolean besideStart = i == route.next() && cost == Double.POSITIVE_INFINITY;
       if (besideStart && costs.cost(north, east) == Double.POSITIVE_INFINITY) {
-        cost = leavingM(north, east, route.northM(i), route.eastM(i));
+        cost = leavingM(north, east, route.northM(i), route.eastM(i), now.body().halfWidthM());
       }
       sum += cost;
       north = route.northM(i);
@@ -361,17 +361,21 @@ final class RouteKeeper {
     return sum;
   }
 
-  /** Cost of a straight way out of closed cells, which must be free after a short distance [m]. */
-  private double leavingM(double north, double east, double toNorth, double toEast) {
+  /**
+   * Cost of a straight way out of closed cells [m]: the vehicle must fit, and the way be free after
+   * a short distance.
+   */
+  private double leavingM(
+      double north, double east, double toNorth, double toEast, double halfWidthM) {
     CostGrid costs = world.costs();
     double length = Math.hypot(toNorth - north, toEast - east);
     double out = Math.max(LEAVES_RADII * costs.inflation().radiusM(), costs.frame().cellM());
-    if (length <= out) {
-      return length;
+    double share = Math.min(1.0, out / length);
+    double outNorth = north + share * (toNorth - north);
+    double outEast = east + share * (toEast - east);
+    if (!costs.leadsOut(north, east, outNorth, outEast, halfWidthM)) {
+      return Double.POSITIVE_INFINITY;
     }
-    double share = out / length;
-    return out
-        + costs.straightCost(
-            north + share * (toNorth - north), east + share * (toEast - east), toNorth, toEast);
+    return length <= out ? length : out + costs.straightCost(outNorth, outEast, toNorth, toEast);
   }
 }

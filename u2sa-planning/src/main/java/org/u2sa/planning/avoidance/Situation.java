@@ -89,7 +89,8 @@ record Situation(
         now.trafficClearance(),
         now.trafficHorizon(),
         now.reactionTime(),
-        Math.toRadians(now.plannedTurnRate()));
+        Math.toRadians(now.plannedTurnRate()),
+        now.clearance());
   }
 
   /** Desired speed of the vehicle; airspeed for aircraft [m/s]. */

@@ -100,7 +100,12 @@ public final class ArcChooser {
 
   public ArcChoice along(RouteTrack track) {
     if (drifting.isPresent() && !track.goesBackwards()) {
-      return drifting.get().along(track);
+      double aheadM = limits.lookAheadM();
+      Optional<ArcChoice> out =
+          turnsTo(track.northAheadM(aheadM), track.eastAheadM(aheadM), false)
+              ? toRoom().filter(drifting.get()::isFree)
+              : Optional.empty();
+      return out.orElseGet(() -> drifting.get().along(track));
     }
     boolean backwards = track.goesBackwards();
     double straight = straightMps();
@@ -171,6 +176,10 @@ public final class ArcChooser {
     if (turnRoom.isTooNarrow()) {
       return makeRoom(ArcChoice.Kind.EVADE);
     }
+    Optional<ArcChoice> out = toRoom();
+    if (out.isPresent()) {
+      return turnRoom.standsFirst() ? stand(ArcChoice.Kind.EVADE) : out.get();
+    }
     if (forecast.standing(Double.NaN).meetsS() < limits.horizonS()
         || room.isPresent() && !isFreeAfterTurn(north, east, track)) {
       return evade(track);
@@ -203,6 +212,40 @@ public final class ArcChooser {
     }
     ArcChoice out = backOut(2.0 * body.circleM(), true);
     return out.kind() == ArcChoice.Kind.EVADE ? out.as(ArcChoice.Kind.MAKE_ROOM) : out;
+  }
+
+  /**
+   * Moves to where it can turn and keeps its clearance, by the better way ahead or in reverse;
+   * empty if it need not, or if there is no such way.
+   */
+  private Optional<ArcChoice> toRoom() {
+    if (!limits.reverses() || room.isPresent() || !turnRoom.isTight()) {
+      return Optional.empty();
+    }
+    RoomSearch search = new RoomSearch(costs, body, limits, pose);
+    Optional<RoomSearch.Way> back = search.best(true);
+    Optional<RoomSearch.Way> ahead = search.best(false);
+    boolean isBackFirst =
+        turnRoom.makesRoom() // otherwise it would go to and fro
+            ? backsOut
+            : ahead.isEmpty() || back.isPresent() && back.get().costM() <= ahead.get().costM();
+    Optional<ArcChoice> first = (isBackFirst ? back : ahead).flatMap(this::onWay);
+    return first.or(() -> (isBackFirst ? ahead : back).flatMap(this::onWay));
+  }
+
+  /** The motion on a way; empty if traffic comes close. */
+  private Optional<ArcChoice> onWay(RoomSearch.Way way) {
+    double speed = Math.min(0.5 * limits.speedMps(), limits.mps(way.backwards()));
+    double wayM = Math.max(way.wayM(), body.circleM());
+    Outcome outcome = forecast.play(Motion.arc(way.curvature(), way.backwards(), speed, wayM));
+    double safe = Math.min(speed, limits.stoppableMps(outcome.freeM() - costs.frame().cellM()));
+    if (safe <= 0.0 || outcome.meetsS() < limits.horizonS()) {
+      return Optional.empty();
+    }
+    double toM = Math.min(wayM, outcome.freeM());
+    Pose end = pose.along(way.backwards() ? -toM : toM, way.curvature());
+    return Optional.of(
+        new ArcChoice(end.northM(), end.eastM(), safe, way.backwards(), ArcChoice.Kind.MAKE_ROOM));
   }
 
   /** Maximum speed to stop straight ahead [m/s]: a new route may demand a turn in place. */

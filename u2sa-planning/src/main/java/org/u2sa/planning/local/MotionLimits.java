@@ -19,6 +19,7 @@ import org.u2sa.planning.curve.Pose;
  * @param horizonS time horizon of traffic prediction [s]
  * @param reactionS delay until a command takes effect [s]
  * @param turnRateRadPerS yaw rate of turns in place [rad/s], above 0
+ * @param clearanceM distance that routes keep from obstacles [m]
  */
 public record MotionLimits(
     double speedMps,
@@ -33,7 +34,8 @@ public record MotionLimits(
     double trafficM,
     double horizonS,
     double reactionS,
-    double turnRateRadPerS) {
+    double turnRateRadPerS,
+    double clearanceM) {
   /** Bearing up to which a vehicle that turns in place drives arcs [rad]. */
   static final double SPOT_TURN_RAD = Math.toRadians(30.0);
 

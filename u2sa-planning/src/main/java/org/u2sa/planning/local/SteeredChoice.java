@@ -60,6 +60,13 @@ final class SteeredChoice {
     return evade(track.northAheadM(most), track.eastAheadM(most));
   }
 
+  /** Whether a motion keeps its distance although the boat is carried. */
+  boolean isFree(ArcChoice choice) {
+    return forecast
+        .to(choice.northM(), choice.eastM(), choice.speedMps(), choice.backwards())
+        .isFree();
+  }
+
   /** Whether the boat may drift for now. */
   boolean waits() {
     Pose ahead = pose.along(limits.lookAheadM(), 0.0);

@@ -21,9 +21,21 @@ record TurnRoom(
   /** Speed below which the vehicle counts as stopped [m/s]. */
   static final double CREEPS_MPS = 0.15;
 
+  private static final double TIGHT = 0.75; // of the clearance, to begin making room
+
   /** Whether the vehicle would touch something if it turned where it stops. */
   boolean isTooNarrow() {
     return spareM() < 0.0;
+  }
+
+  /** Whether it would come clearly closer to something than routes do if it turned there. */
+  boolean isTight() {
+    return spareM() < (makesRoom ? 1.0 : TIGHT) * enoughM(costs, body, limits);
+  }
+
+  /** Clearance for turning in place that suffices [m]: that of routes, as far as it is known. */
+  static double enoughM(CostGrid costs, BodyDiscs body, MotionLimits limits) {
+    return Math.min(limits.clearanceM(), costs.inflation().reachM() - body.circleM());
   }
 
   /** Whether it may already turn while braking, which causes a sideways drift. */

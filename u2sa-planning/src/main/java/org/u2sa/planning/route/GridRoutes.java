@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.u2sa.planning.curve.Pose;
+import org.u2sa.planning.search.BodyDiscs;
 import org.u2sa.planning.search.CostGrid;
 import org.u2sa.planning.search.DStarLite;
 import org.u2sa.planning.search.GridFrame;
@@ -51,7 +52,7 @@ final class GridRoutes implements RoutePlanner {
     CostGrid costs = request.costs();
     GridFrame frame = costs.frame();
     Pose start = request.start();
-    int from = Entrances.start(costs, start);
+    int from = Entrances.start(costs, start, request.mobility().body());
     if (from < 0) {
       return Route.none(Entrances.ENCLOSED);
     }
@@ -107,11 +108,13 @@ final class GridRoutes implements RoutePlanner {
 
     private Entrances() {}
 
-    /** Start cell of a path: the vehicle's own or the nearest free one; −1 if none. */
-    static int start(CostGrid costs, Pose start) {
+    /**
+     * Start cell of a path: the vehicle's own or the nearest free one to which it fits; −1 if none.
+     */
+    static int start(CostGrid costs, Pose start, BodyDiscs body) {
       double within =
           Math.max(ESCAPE_RADII * costs.inflation().radiusM(), 2.0 * costs.frame().cellM());
-      return costs.nearestFree(start.northM(), start.eastM(), within);
+      return costs.nearestWayOut(start.northM(), start.eastM(), within, body.halfWidthM());
     }
   }
 }

@@ -74,6 +74,11 @@ public final class BodyDiscs {
     return circleM;
   }
 
+  /** Half of its width [m]. */
+  public double halfWidthM() {
+    return halfWidthM;
+  }
+
   /**
    * Whether the vehicle covers a point.
    *

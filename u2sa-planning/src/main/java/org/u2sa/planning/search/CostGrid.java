@@ -285,9 +285,53 @@ public final class CostGrid {
     return cell < 0 ? 1.0 : cost[cell];
   }
 
+  /**
+   * Whether a vehicle in closed cells can leave them on a straight way, instead of through what
+   * stands: it fits everywhere, or comes no nearer to anything than it is.
+   *
+   * @param halfWidthM half of the vehicle's width [m]
+   */
+  public boolean leadsOut(
+      double north, double east, double toNorth, double toEast, double halfWidthM) {
+    int here = frame.indexAt(north, east);
+    if (here < 0 || distanceM(here) == 0.0) {
+      return true;
+    }
+    double leastM = Math.max(0.0, Math.min(halfWidthM, distanceM(here)) - frame.cellM());
+    int steps = (int) Math.ceil(Math.hypot(toNorth - north, toEast - east) / (0.5 * frame.cellM()));
+    for (int k = 1; k <= steps; k++) {
+      double share = (double) k / steps;
+      int cell = frame.indexAt(north + share * (toNorth - north), east + share * (toEast - east));
+      if (cell >= 0 && distanceM(cell) <= leastM) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /**
+   * Free cell nearest to a vehicle within a distance, to which a straight way {@link #leadsOut}; −1
+   * if none.
+   */
+  public int nearestWayOut(double northM, double eastM, double withinM, double halfWidthM) {
+    int here = frame.indexAt(northM, eastM);
+    if (here >= 0 && isFree(here)) {
+      return here;
+    }
+    return nearestFree(
+        northM,
+        eastM,
+        withinM,
+        northM,
+        eastM,
+        0.0,
+        cell ->
+            leadsOut(northM, eastM, frame.centreNorthM(cell), frame.centreEastM(cell), halfWidthM));
+  }
+
   /** Free cell nearest to a point within a distance; −1 if none. */
   public int nearestFree(double northM, double eastM, double withinM) {
-    return nearestFree(northM, eastM, withinM, northM, eastM, 0.0);
+    return nearestFree(northM, eastM, withinM, northM, eastM, 0.0, cell -> true);
   }
 
   /**
@@ -299,7 +343,7 @@ public final class CostGrid {
    */
   public int nearestFreeTowards(
       double northM, double eastM, double withinM, double placeNorthM, double placeEastM) {
-    return nearestFree(northM, eastM, withinM, placeNorthM, placeEastM, TOWARDS);
+    return nearestFree(northM, eastM, withinM, placeNorthM, placeEastM, TOWARDS, cell -> true);
   }
 
   private int nearestFree(
@@ -308,7 +352,8 @@ public final class CostGrid {
       double withinM,
       double placeNorthM,
       double placeEastM,
-      double weight) {
+      double weight,
+      IntPredicate isAllowed) {
     int row = frame.row(northM);
     int column = frame.column(eastM);
     int span = (int) Math.ceil(withinM / frame.cellM()) + 1;
@@ -326,7 +371,7 @@ public final class CostGrid {
             weight == 0.0
                 ? away
                 : away + weight * Math.hypot(north - placeNorthM, east - placeEastM);
-        if (isFree(i) && away <= withinM && sum < least) {
+        if (isFree(i) && away <= withinM && sum < least && isAllowed.test(i)) {
           best = i;
           least = sum;
         }

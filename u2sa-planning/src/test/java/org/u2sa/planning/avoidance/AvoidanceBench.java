@@ -153,7 +153,7 @@ final class AvoidanceBench {
         heightM,
         OptionalDouble.empty(),
         0.5,
-        new MotionLimits(1.0, 0.8, 1.0, 0.0, true, 1.0, 1.0, 0.05, 0.0, 0.3, 4.0, 0.3, 0.8),
+        new MotionLimits(1.0, 0.8, 1.0, 0.0, true, 1.0, 1.0, 0.05, 0.0, 0.3, 4.0, 0.3, 0.8, 0.0),
         CELL_M,
         settings.body(true),
         0.0,

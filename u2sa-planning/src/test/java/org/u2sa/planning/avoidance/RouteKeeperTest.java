@@ -53,6 +53,18 @@ class RouteKeeperTest {
     assertThat(bench.requests).hasSize(1);
   }
 
+  /** A wall that the vehicle did not see when it planned, nearer than the end of closed cells. */
+  @Test
+  void update_wallBetweenTheVehicleAndFreeCells_plansAtOnce() {
+    bench.see(
+        AvoidanceBench.post(0.45, -0.2),
+        AvoidanceBench.post(0.45, 0.0),
+        AvoidanceBench.post(0.45, 0.2));
+    routes.update(bench.at(0.1));
+
+    assertThat(bench.requests).hasSize(2);
+  }
+
   @Test
   void update_obstacleBesideTheRoute_plansWhenDueAndKeepsTheRouteUnlessClearlyWorse() {
     var before = routes.track();

@@ -28,16 +28,17 @@ class ArcChooserTest {
       new CostGrid(new GridFrame(-12.0, -12.0, CELL, SIZE, SIZE), new Inflation(0.5, 1.0, 3.0));
 
   private static MotionLimits rover() {
-    return new MotionLimits(1.0, 0.8, 1.0, 0.0, true, 1.0, 1.0, 0.05, 0.0, 0.3, 4.0, 0.3, 0.8);
+    return new MotionLimits(1.0, 0.8, 1.0, 0.0, true, 1.0, 1.0, 0.05, 0.0, 0.3, 4.0, 0.3, 0.8, 0.0);
   }
 
   /** The same, which keeps its distance where its route does. */
   private static MotionLimits careful() {
-    return new MotionLimits(1.0, 0.8, 1.0, 0.0, true, 1.0, 1.0, 0.05, 0.3, 0.3, 4.0, 0.3, 0.8);
+    return new MotionLimits(1.0, 0.8, 1.0, 0.0, true, 1.0, 1.0, 0.05, 0.3, 0.3, 4.0, 0.3, 0.8, 0.0);
   }
 
   private static MotionLimits aeroplane() {
-    return new MotionLimits(1.0, 0.8, 1.0, 2.0, false, 0.0, 2.0, 0.05, 0.0, 0.3, 4.0, 0.3, 0.8);
+    return new MotionLimits(
+        1.0, 0.8, 1.0, 2.0, false, 0.0, 2.0, 0.05, 0.0, 0.3, 4.0, 0.3, 0.8, 0.0);
   }
 
   /** Fills what lies between these, ends included [m]. */
@@ -206,7 +207,7 @@ class ArcChooserTest {
   @Test
   void slip_ofWhatTurnsWhileItBrakes_isHowFarAsideItComes() {
     MotionLimits limits =
-        new MotionLimits(1.0, 0.8, 1.0, 0.0, true, 1.0, 1.0, 0.05, 0.0, 0.3, 4.0, 0.0, 0.8);
+        new MotionLimits(1.0, 0.8, 1.0, 0.0, true, 1.0, 1.0, 0.05, 0.0, 0.3, 4.0, 0.0, 0.8, 0.0);
     for (double mps = 0.2; mps < 1.5; mps += 0.1) {
       double aside = 0.0;
       double dt = 1.0e-3;
@@ -290,7 +291,7 @@ class ArcChooserTest {
   void reverse_speedLimit_isKept(double backwardsMps, double outMps) {
     MotionLimits slow =
         new MotionLimits(
-            1.0, 0.8, 1.0, 0.0, true, backwardsMps, 1.0, 0.05, 0.0, 0.3, 4.0, 0.3, 0.8);
+            1.0, 0.8, 1.0, 0.0, true, backwardsMps, 1.0, 0.05, 0.0, 0.3, 4.0, 0.3, 0.8, 0.0);
     ArcChoice followed = arcs(slow, 0.0).along(track(-10.0, 0.0, true));
     ArcChoice backsOut = arcs(slow, 0.0).backOut(2.0);
 
@@ -486,7 +487,7 @@ class ArcChooserTest {
   @Test
   void along_routeBackOverUnseenGround_isSlow() {
     MotionLimits truck =
-        new MotionLimits(1.0, 0.8, 1.0, 2.0, true, 1.0, 1.0, 0.05, 0.0, 0.3, 4.0, 0.3, 0.8);
+        new MotionLimits(1.0, 0.8, 1.0, 2.0, true, 1.0, 1.0, 0.05, 0.0, 0.3, 4.0, 0.3, 0.8, 0.0);
     RouteTrack back = track(-10.0, 0.0, true);
     double seen = arcs(truck, 0.0).along(back).speedMps();
     unseen(0.0);
@@ -562,5 +563,87 @@ class ArcChooserTest {
 
     assertThat(choice.kind()).isEqualTo(ArcChoice.Kind.MAKE_ROOM);
     assertThat(choice.backwards()).isTrue();
+  }
+
+  /** A dock, open astern, in which it can turn but comes closer to the walls than routes do. */
+  private void dock(double mouthM) {
+    wall(mouthM, 2.0, 0.49, 0.56);
+    wall(mouthM, 2.0, -0.56, -0.49);
+    wall(0.5, 0.6, -0.5, 0.5);
+  }
+
+  private ArcChoice leaves(double clearanceM, double backwardsMps) {
+    MotionLimits limits =
+        new MotionLimits(
+            1.0, 0.8, 1.0, 0.0, true, backwardsMps, 1.0, 0.05, 0.0, 0.3, 4.0, 0.3, 0.8, clearanceM);
+    return arcs(limits, 0.0).along(track(-10.0, 0.5, false));
+  }
+
+  @Test
+  void along_turnInADock_backsOutFirst() {
+    dock(-2.0);
+
+    ArcChoice choice = leaves(0.2, 1.0);
+    assertThat(choice.kind()).isEqualTo(ArcChoice.Kind.MAKE_ROOM);
+    assertThat(choice.backwards()).isTrue();
+    assertThat(choice.northM()).isLessThan(-0.3);
+    assertThat(choice.eastM()).isCloseTo(0.0, within(0.05));
+    assertThat(choice.speedMps()).isPositive();
+  }
+
+  @Test
+  void along_turnInADockWithRoomForTheClearance_turns() {
+    dock(-2.0);
+
+    assertThat(leaves(0.05, 1.0).kind()).isEqualTo(ArcChoice.Kind.FOLLOW);
+  }
+
+  @Test
+  void along_turnInADockItCannotLeave_turns() {
+    dock(-2.0);
+    assertThat(leaves(0.2, 0.0).kind()).isEqualTo(ArcChoice.Kind.FOLLOW);
+
+    wall(-1.1, -1.0, -0.5, 0.5);
+    assertThat(leaves(0.2, 1.0).kind()).isEqualTo(ArcChoice.Kind.FOLLOW);
+  }
+
+  @Test
+  void along_turnInADockAndNothingSeenAstern_turns() {
+    dock(-2.0);
+    unseen(-0.5);
+
+    assertThat(leaves(0.2, 1.0).kind()).isEqualTo(ArcChoice.Kind.FOLLOW);
+  }
+
+  @Test
+  void along_turnInAPassageOpenAhead_leavesItByTheShorterWay() {
+    wall(-4.0, 0.6, 0.49, 0.56);
+    wall(-4.0, 0.6, -0.56, -0.49);
+
+    ArcChoice choice = leaves(0.2, 1.0);
+    assertThat(choice.kind()).isEqualTo(ArcChoice.Kind.MAKE_ROOM);
+    assertThat(choice.backwards()).isFalse();
+    assertThat(choice.northM()).isPositive();
+  }
+
+  @Test
+  void along_turnInADockAndSomebodyComesAstern_doesNotBackOut() {
+    dock(-2.0);
+    MotionLimits limits =
+        new MotionLimits(1.0, 0.8, 1.0, 0.0, true, 1.0, 1.0, 0.05, 0.0, 0.3, 4.0, 0.3, 0.8, 0.2);
+    ArcChoice choice =
+        arcs(limits, 0.0, mover(-3.0, 0.0, 0.5, 0.0)).along(track(-10.0, 0.5, false));
+
+    assertThat(choice.backwards()).isFalse();
+  }
+
+  @Test
+  void along_turnBesideALongWall_bendsAwayFromItRatherThanBackAlongIt() {
+    wall(-8.0, 8.0, 0.49, 0.56);
+
+    ArcChoice choice = leaves(0.2, 1.0);
+    assertThat(choice.kind()).isEqualTo(ArcChoice.Kind.MAKE_ROOM);
+    assertThat(Math.abs(choice.northM())).isLessThan(1.5);
+    assertThat(choice.eastM()).isLessThan(-0.03);
   }
 }

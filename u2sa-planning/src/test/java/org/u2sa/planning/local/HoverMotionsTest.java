@@ -19,7 +19,7 @@ class HoverMotionsTest {
   private static final double HIGH_M = 20.0;
   private static final double KEPT_M = 3.0; // from the ground
   private static final MotionLimits LIMITS =
-      new MotionLimits(8.0, 2.0, 2.0, 0.0, true, 0.0, 8.0, 1.0, 0.0, 5.0, 20.0, 0.5, 1.0);
+      new MotionLimits(8.0, 2.0, 2.0, 0.0, true, 0.0, 8.0, 1.0, 0.0, 5.0, 20.0, 0.5, 1.0, 0.0);
   private static final CostGrid COSTS =
       new CostGrid(new GridFrame(-100.0, -100.0, 1.0, 200, 200), new Inflation(0.6, 6.0, 3.0));
 

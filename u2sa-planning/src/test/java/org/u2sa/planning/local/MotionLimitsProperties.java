@@ -12,7 +12,7 @@ import org.u2sa.planning.curve.Pose;
 class MotionLimitsProperties {
   private static final double RADIUS_M = 2.0;
   private static final MotionLimits LIMITS =
-      new MotionLimits(1.0, 0.8, 1.0, RADIUS_M, true, 1.0, 1.0, 0.05, 0.0, 0.3, 4.0, 0.3, 0.8);
+      new MotionLimits(1.0, 0.8, 1.0, RADIUS_M, true, 1.0, 1.0, 0.05, 0.0, 0.3, 4.0, 0.3, 0.8, 0.0);
 
   @Property
   void curvatureTo_pointThatAnArcReaches_theArcEndsThere(

@@ -19,7 +19,7 @@ import org.u2sa.service.motion.Drift;
 /** A boat of 1.2 m without sideways thrust, with a current of 0.3 m/s from astern. */
 class SteeredChoiceTest {
   private static final MotionLimits LIMITS =
-      new MotionLimits(1.2, 0.5, 0.4, 0.0, true, 1.2, 4.0, 0.1, 0.0, 0.5, 8.0, 0.5, 0.4);
+      new MotionLimits(1.2, 0.5, 0.4, 0.0, true, 1.2, 4.0, 0.1, 0.0, 0.5, 8.0, 0.5, 0.4, 0.0);
   private static final double STEP_S = 0.2;
 
   private final CostGrid costs =
@@ -76,5 +76,40 @@ class SteeredChoiceTest {
       before = Optional.of(choice);
     }
     assertThat(changes).isLessThanOrEqualTo(2);
+  }
+
+  /** A dock, open astern, in which it can turn but comes closer to the walls than routes do. */
+  @Test
+  void along_turnInADock_backsOutFirst() {
+    GridFrame frame = new GridFrame(-12.0, -12.0, 0.1, 240, 240);
+    CostGrid dock = new CostGrid(frame, new Inflation(1.0, 1.5, 3.0));
+    dock.update(
+        i -> {
+          boolean isBeside = Math.abs(Math.abs(frame.centreEastM(i)) - 0.95) < 0.1;
+          double north = frame.centreNorthM(i);
+          boolean isAhead = Math.abs(frame.centreEastM(i)) < 0.95 && Math.abs(north - 1.2) < 0.1;
+          return isAhead || isBeside && north > -1.5 && north < 1.2;
+        },
+        i -> false);
+    MotionLimits limits =
+        new MotionLimits(1.2, 0.5, 0.4, 0.0, true, 0.4, 2.0, 0.05, 0.0, 0.5, 8.0, 0.5, 0.4, 0.4);
+    Route.Point from = new Route.Point(0.0, 0.0, false);
+    Route.Point to = new Route.Point(-25.0, 3.0, false);
+    ArcChoice choice =
+        new ArcChooser(
+                dock,
+                BodyDiscs.closely(0.6, 0.6, 0.7, 0.15),
+                List.of(),
+                limits,
+                new Pose(0.0, 0.0, 0.0),
+                -0.1,
+                0L,
+                Optional.empty(),
+                Optional.empty(),
+                new Drift(-0.12, 0.0))
+            .along(new RouteTrack(Route.of(List.of(from, to), 25.0)));
+
+    assertThat(choice.kind()).isEqualTo(ArcChoice.Kind.MAKE_ROOM);
+    assertThat(choice.backwards()).isTrue();
   }
 }

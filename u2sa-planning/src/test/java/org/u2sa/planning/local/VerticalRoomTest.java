@@ -42,7 +42,20 @@ class VerticalRoomTest {
 
   private static MotionLimits limits(boolean stops) {
     return new MotionLimits(
-        10.0, 2.0, 2.0, stops ? 0.0 : 30.0, stops, 0.0, 20.0, 0.5, 0.0, 3.0, HORIZON_S, 0.5, 0.8);
+        10.0,
+        2.0,
+        2.0,
+        stops ? 0.0 : 30.0,
+        stops,
+        0.0,
+        20.0,
+        0.5,
+        0.0,
+        3.0,
+        HORIZON_S,
+        0.5,
+        0.8,
+        0.0);
   }
 
   /** Head-on and faster, at the vehicle's altitude or that much above. */

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -35,6 +36,21 @@ class GridRoutesTest {
                     .map(bearing -> Arguments.of(planner, bearing)));
   }
 
+  private Route plan(GridRoutes planner, Pose start, double north, double east) {
+    return planner.plan(
+        new RouteRequest(
+            start,
+            north,
+            east,
+            OptionalDouble.empty(),
+            TOLERANCE_M,
+            ROVER,
+            costs,
+            List.of(),
+            List.of(),
+            1000));
+  }
+
   @ParameterizedTest
   @MethodSource("everywhereAround")
   void plan_goalIsOccupied_endsOnTheVehiclesSideOfIt(GridRoutes planner, double bearing) {
@@ -43,23 +59,53 @@ class GridRoutesTest {
         i -> Math.hypot(frame.centreNorthM(i), frame.centreEastM(i)) < BARREL_M, i -> false);
     Pose start = new Pose(AWAY_M * Math.cos(bearing), AWAY_M * Math.sin(bearing), 0.0);
 
-    Route route =
-        planner.plan(
-            new RouteRequest(
-                start,
-                0.0,
-                0.0,
-                OptionalDouble.empty(),
-                TOLERANCE_M,
-                ROVER,
-                costs,
-                List.of(),
-                List.of(),
-                1000));
+    Route route = plan(planner, start, 0.0, 0.0);
 
     Route.Point end = route.points().get(route.points().size() - 1);
     double endM = Math.hypot(end.northM(), end.eastM());
     assertThat(endM).isLessThan(BARREL_M + 1.0);
     assertThat(start.distanceM(end.northM(), end.eastM())).isLessThan(AWAY_M - endM + 0.2);
+  }
+
+  /** Between walls, of which the vehicle sees only the surface, open to the south. */
+  private void bay(double mouthM) {
+    GridFrame frame = costs.frame();
+    costs.update(
+        i -> {
+          double north = frame.centreNorthM(i);
+          boolean isBeside = Math.abs(Math.abs(frame.centreEastM(i)) - 0.55) < 0.06;
+          boolean isAhead = north > 0.7 && north < 0.8 && Math.abs(frame.centreEastM(i)) < 0.6;
+          return isAhead || isBeside && north > mouthM && north < 0.8;
+        },
+        i -> false);
+  }
+
+  @Test
+  void plan_startsInClosedCellsOfABay_leavesByItsMouth() {
+    bay(-0.9);
+    for (GridRoutes planner : List.of(GridRoutes.repaired(), GridRoutes.fromScratch())) {
+      Route route = plan(planner, new Pose(0.0, 0.0, 0.0), 0.0, 5.0);
+      Route.Point out = route.points().get(1);
+      assertThat(out.northM()).isLessThan(-0.9);
+      assertThat(Math.abs(out.eastM())).isLessThan(0.3);
+    }
+  }
+
+  @Test
+  void plan_mouthOfTheBayIsFar_doesNotLeadThroughItsWalls() {
+    bay(-2.5);
+
+    Route route = plan(GridRoutes.repaired(), new Pose(0.0, 0.0, 0.0), 0.0, 5.0);
+    assertThat(route.exists()).isFalse();
+    assertThat(route.obstacle()).isEqualTo(GridRoutes.Entrances.ENCLOSED);
+  }
+
+  @Test
+  void plan_startsOnAnObstacle_leavesItAnyhow() {
+    GridFrame frame = costs.frame();
+    costs.update(
+        i -> Math.hypot(frame.centreNorthM(i), frame.centreEastM(i)) < BARREL_M, i -> false);
+
+    assertThat(plan(GridRoutes.repaired(), new Pose(0.1, 0.0, 0.0), 0.0, 5.0).exists()).isTrue();
   }
 }
