@@ -43,7 +43,7 @@ class StoppingTest {
         costs,
         new BodyDiscs(0.3, 0.3, 0.5),
         List.of(),
-        new MotionLimits(1.0, 0.8, 0.8, 1.0, true, 1.0, 1.0, 0.05, 0.0, 0.3, 4.0, 0.3, 0.8),
+        new MotionLimits(1.0, 0.8, 0.8, 1.0, true, 1.0, 1.0, 0.05, 0.0, 0.3, 4.0, 0.3, 0.8, 0.2),
         new Pose(0.0, 0.0, 0.0),
         speedMps,
         0L,
