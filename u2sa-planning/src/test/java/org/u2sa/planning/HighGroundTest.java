@@ -168,6 +168,17 @@ class HighGroundTest extends PlannedVehicle {
     assertThat(aircraft.altitude).isCloseTo(150.0, within(1.0));
   }
 
+  /** As on the way home from below it. */
+  @Test
+  void waypoint_aeroplaneWithoutAltitudeOnTheHill_climbsToItsClearance() throws IOException {
+    startAeroplane(150.0);
+    goals(levelTo(100.0, HILL_NORTH_M));
+
+    assertThat(fly(400.0).completed()).isTrue();
+    assertThat(lowestM).isGreaterThan(49.0);
+    assertThat(aircraft.altitude).isGreaterThan(340.0);
+  }
+
   @Test
   void waypoint_multirotorWithoutAltitudeBeforeAHill_fliesAroundItAtItsOwn() throws IOException {
     startMultirotor(6.0);

@@ -12,6 +12,7 @@ import java.util.function.Supplier;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.terrain.HeightGrid;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.PathStatus;
 import org.u2sa.messages.PlannedPath;
@@ -43,6 +44,7 @@ public final class Avoidance {
   private static final String NONE = "NONE";
   private static final double NEAR_M = 60.0; // goals at which an aircraft will soon stop
   private static final double IN_PLACE_M = 2.0; // beside or above, within which it is at a place
+  private static final long LONGEST_STEP_MICROS = Clock.MICROS_PER_SECOND;
 
   private final Supplier<String> chosen;
   private final Supplier<AvoidanceVariables> settings;
@@ -56,6 +58,7 @@ public final class Avoidance {
   private final PathNews news;
   private final VerticalEvasion climbing;
   private final RouteGround highGround;
+  private final CruiseAltitude cruise;
   private final StraightWays straight;
   private final VerticalGuard vertical;
   private final InPlaceEvasion inPlace;
@@ -92,7 +95,12 @@ public final class Avoidance {
       OptionalDouble headingRad,
       OptionalDouble speedMps) {
     private Wanted at(Place altitude) {
-      return new Wanted(goal, target.orAltitudeOf(altitude), thresholdM, headingRad, speedMps);
+      return with(target.orAltitudeOf(altitude));
+    }
+
+    /** The same at another position. */
+    Wanted with(Place other) {
+      return new Wanted(goal, other, thresholdM, headingRad, speedMps);
     }
   }
 
@@ -143,6 +151,7 @@ public final class Avoidance {
     straight =
         new StraightWays(settings, lines, world, highGround, this::planeOf, this::remainingM);
     vertical = new VerticalGuard(world, time, say);
+    cruise = new CruiseAltitude(map, world, climbing, vertical);
     drift = new DriftWatch(settings);
     inPlace = new InPlaceEvasion(world, climbing, settings, lines, say, this::arcs);
     hover = new HoverEvasion(world, climbing, settings, lines, say);
@@ -228,6 +237,7 @@ public final class Avoidance {
     held = Optional.empty();
     routes.begin();
     highGround.begin();
+    cruise.begin();
     obstacles.forgetGaps();
     passages.widen();
     news.begin();
@@ -387,6 +397,7 @@ public final class Avoidance {
       before = Optional.empty();
       obstacles.forgetAll();
       highGround.begin();
+      cruise.begin();
     }
   }
 
@@ -399,15 +410,24 @@ public final class Avoidance {
     return now.body(turnsOnTheSpot());
   }
 
-  /** The next step to a goal; to one without altitude, at that at which it began. */
+  /**
+   * The next step to a goal; to one without altitude, at that at which it began or, where the
+   * ground requires it, higher.
+   */
   public Step step(Vehicle vehicle, StateInformation state, Wanted goal) {
     AvoidanceVariables now = settings.get();
     long micros = vehicle.timestampMicros();
     lieOn(world.plane(state));
-    Wanted wanted = now.verticalClearance() > 0.0 ? goal.at(altitude(vehicle)) : goal;
     Point at = vehicle.on(plane);
+    Wanted wanted = now.verticalClearance() > 0.0 ? goal.at(altitude(vehicle)) : goal;
+    wanted = cruise.over(wanted, goal, vehicle, plane, at, now);
     Point toGoal = vehicle.nedOf(wanted.target());
-    if (held.isPresent() && held.get().isFor(wanted, micros)) {
+    if (cruise.riseM(at) < 0.0) {
+      double riseM = climbing.inside(plane, at.z(), vehicle.downMps(), cruise.riseM(at));
+      double mps = Situation.wantedMps(wanted, now);
+      return new Step(Point.of(0.0, 0.0, riseM), mps, false, Optional.empty());
+    }
+    if (held.isPresent() && held.get().isFor(goal, micros)) {
       return step(held.get().choice(), vehicle, at, toGoal, wanted, Optional.empty());
     }
     GoalAttempt current =
@@ -417,6 +437,9 @@ public final class Avoidance {
     // An aircraft moves along its course, not its heading.
     double ahead = now.stops() ? vehicle.headingRad() : vehicle.courseRad();
     Pose pose = new Pose(at.x(), at.y(), ahead);
+    if (climbsOverGround(toGoal)) {
+      current.leaveOut(Math.max(0L, Math.min(LONGEST_STEP_MICROS, micros - steppedMicros)));
+    }
     steppedMicros = micros;
     if (!now.passSides().isEmpty()) {
       obstacles.keepSides(pose, state, routes.track(), now);
@@ -429,6 +452,11 @@ public final class Avoidance {
         Situation.of(
             pose, toGoal, wanted, vehicle, world.costs().frame().cellM(), now, lines.get());
     routes.update(situation);
+    if (routes.isHopeless()
+        && !world.highGround().isEmpty()
+        && cruise.raise(vehicle, plane, at, toGoal, now)) {
+      say.accept("the ground leaves no way to the goal: climbing", false);
+    }
     Optional<VerticalRoom> room =
         climbing
             .room(state, at, toGoal, wanted.target(), now, world, plane, Optional.empty())
@@ -449,8 +477,16 @@ public final class Avoidance {
             () -> current.judge(choice, isNear(traffic, situation), situation, time.micros()));
     PathStatus status = PathNews.status(choice, givenUp, current.hasRecovered(), routes);
     announce(status, givenUp, wanted, at);
-    held = now.stops() ? Optional.empty() : Optional.of(new HeldChoice(choice, wanted, micros));
+    held = now.stops() ? Optional.empty() : Optional.of(new HeldChoice(choice, goal, micros));
     return step(choice, vehicle, at, toGoal, wanted, givenUp);
+  }
+
+  /** Whether an aircraft climbs because the ground leaves no way at its altitude yet. */
+  private boolean climbsOverGround(Point toGoal) {
+    return cruise.hasClimbed()
+        && routes.track().isEmpty()
+        && !world.highGround().isEmpty()
+        && toGoal.z() < -IN_PLACE_M;
   }
 
   /**

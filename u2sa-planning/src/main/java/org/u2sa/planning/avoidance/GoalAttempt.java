@@ -125,9 +125,7 @@ final class GoalAttempt {
    * @return reason for giving up, or empty
    */
   Optional<String> judge(ArcChoice choice, boolean trafficNear, Situation now, long pursued) {
-    long held = hold.pass(choice.kind(), trafficNear, now.micros(), pursued);
-    behaviour.leaveOut(held);
-    watch.leaveOut(held);
+    leaveOut(hold.pass(choice.kind(), trafficNear, now.micros(), pursued));
     Optional<String> reason = behaviour.givesUp(now);
     if (reason.isPresent() || !behaviour.isStuck(now)) {
       return reason;
@@ -140,6 +138,12 @@ final class GoalAttempt {
     }
     backOut(now);
     return Optional.empty();
+  }
+
+  /** Excludes time in which the vehicle could not come nearer [µs]. */
+  void leaveOut(long micros) {
+    behaviour.leaveOut(micros);
+    watch.leaveOut(micros);
   }
 
   private void backOut(Situation now) {

@@ -20,6 +20,8 @@ final class GroundMap {
   private static final double POLAR_DEG = 89.0;
   private static final double HALF_TURN_DEG = 180.0;
   private static final int NOTHING = Integer.MIN_VALUE;
+  private static final int RINGS = 3; // of samples around a place
+  private static final int DIRECTIONS = 12; // likewise
 
   private final Optional<HeightGrid> terrain;
   private final int[] rows = new int[NODES * NODES]; // of the node stored
@@ -79,6 +81,22 @@ final class GroundMap {
     Geodetic place = place(northM, eastM);
     OptionalDouble altitude = terrain.orElseThrow().altitudeM(place);
     return altitude.isPresent() ? place.altitudeM() - altitude.getAsDouble() : Double.NaN;
+  }
+
+  /**
+   * Down coordinate of the highest ground within a distance, on the plane of the last call [m]; NaN
+   * if unknown.
+   */
+  double highestM(double northM, double eastM, double reachM) {
+    double highestM = mappedM(northM, eastM);
+    for (int i = 0; i < RINGS * DIRECTIONS; i++) {
+      double radiusM = reachM * (1 + i / DIRECTIONS) / RINGS;
+      double direction = 2.0 * Math.PI * (i % DIRECTIONS) / DIRECTIONS;
+      double thereM =
+          mappedM(northM + radiusM * Math.cos(direction), eastM + radiusM * Math.sin(direction));
+      highestM = thereM < highestM || Double.isNaN(highestM) ? thereM : highestM;
+    }
+    return highestM;
   }
 
   private Geodetic place(double northM, double eastM) {

@@ -23,6 +23,8 @@ final class RouteGround {
   private static final double STEP_M = 5.0; // between checked positions, at least
   private static final double NEXT_M = 1.0; // likewise, of the way to stop
   private static final double NEAR_M = 10.0; // from its goal, it descends at once
+  private static final double CELLS = 1.5; // rounding of places to cells
+  private static final double HALF = 0.5; // of a height: ground beside it that rises more counts
 
   private final GroundMap ground;
   private final SeenWorld world;
@@ -203,27 +205,49 @@ final class RouteGround {
     return ground.mappedM(place.x(), place.y()) - place.z() < heightM - ROUGHLY_M;
   }
 
-  /** Distance to keep above ground: a vehicle or goal that is lower sets it [m]. */
+  /**
+   * Distance to keep above ground: a vehicle or goal that is lower sets it [m]. On a slope, it is
+   * measured above the highest ground beside them from which routes keep away: otherwise that
+   * ground would enclose them.
+   */
   private double keptM(Point at, Point toGoal, AvoidanceVariables now) {
-    double hereM = ground.mappedM(at.x(), at.y()) - at.z();
-    double goalM = ground.mappedM(at.x() + toGoal.x(), at.y() + toGoal.y()) - at.z() - toGoal.z();
     double clearance = now.verticalClearance();
+    double hereM = aboveM(at.x(), at.y(), beginsDownM(at, toGoal, now), now);
+    double goalM = aboveM(at.x() + toGoal.x(), at.y() + toGoal.y(), at.z() + toGoal.z(), now);
     double keptM = Double.isNaN(hereM) ? clearance : hereM;
     // a vehicle that began higher does not come that low
     keptM = Math.max(keptM, profile.map(FlightProfile::keptM).orElse(keptM));
     return Math.min(clearance, Double.isNaN(goalM) ? keptM : Math.min(keptM, goalM));
   }
 
+  /**
+   * Height above the ground at a place and beside it, or half of that at the place if it is more.
+   */
+  private double aboveM(double north, double east, double downM, AvoidanceVariables now) {
+    double aboveM = ground.mappedM(north, east) - downM;
+    double besideM = ground.highestM(north, east, reachM(now)) - downM;
+    return Math.max(besideM, Math.min(aboveM, HALF * aboveM));
+  }
+
+  /** Distance that routes keep beside ground that is too high, in whole cells [m]. */
+  static double reachM(AvoidanceVariables now) {
+    return now.body(now.stops()).circleM() + now.clearance() + CELLS * now.planningCell();
+  }
+
+  /** Altitude at which the expected flight begins. */
+  private static double beginsDownM(Point at, Point toGoal, AvoidanceVariables now) {
+    boolean isLevel = Math.abs(toGoal.z()) <= SAME * now.verticalClearance();
+    return isLevel ? at.z() + toGoal.z() : at.z();
+  }
+
   private FlightProfile flown(
       Point at, Point toGoal, double keptM, double speedMps, AvoidanceVariables now) {
-    double goalDownM = at.z() + toGoal.z();
-    boolean isLevel = Math.abs(toGoal.z()) <= SAME * now.verticalClearance();
     double climb = now.evasionClimb();
     return new FlightProfile(
         at.x(),
         at.y(),
-        isLevel ? goalDownM : at.z(),
-        goalDownM,
+        beginsDownM(at, toGoal, now),
+        at.z() + toGoal.z(),
         climb == 0.0 ? slope.getAsDouble() : climb / Math.max(climb, speedMps),
         keptM);
   }

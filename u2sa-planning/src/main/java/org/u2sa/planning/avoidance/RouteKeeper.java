@@ -129,6 +129,11 @@ final class RouteKeeper {
     return searches;
   }
 
+  /** Whether the last search, in the world as it is, has found no route. */
+  boolean isHopeless() {
+    return track.isEmpty() && !searches && triedRevision == world.revision();
+  }
+
   /** Updates the vehicle's progress along the route, and the route. */
   void update(Situation now) {
     double off = track.map(route -> follow(route, now)).orElse(0.0);

@@ -63,10 +63,9 @@ final class VerticalEvasion {
     if (!areKnown || now.evasionClimb() == 0.0 || now.verticalClearance() == 0.0) {
       return Optional.empty();
     }
-    double top = Double.NEGATIVE_INFINITY;
+    double top = highestDownM(plane, world, now);
     double bottom = Double.POSITIVE_INFINITY;
     for (PlanarShape corridor : world.corridors()) {
-      top = Math.max(top, corridor.topDownM());
       bottom = Math.min(bottom, corridor.bottomDownM());
     }
     double below = groundDownM(plane, at.x(), at.y(), spot);
@@ -84,10 +83,6 @@ final class VerticalEvasion {
     double goalM = Double.isNaN(atGoal) ? clearance : atGoal - at.z() - toGoal.z();
     double levelM = Math.min(groundM, Math.max(LOW_M, goalM));
     bottom = Double.isNaN(below) ? bottom : Math.min(bottom, below - groundM);
-    OptionalDouble ceiling = fence.map(FenceState::highest).orElse(OptionalDouble.empty());
-    if (ceiling.isPresent()) {
-      top = Math.max(top, downM(plane, ceiling.getAsDouble()) + clearance);
-    }
     OptionalDouble floor = fence.map(FenceState::lowest).orElse(OptionalDouble.empty());
     if (floor.isPresent() && bottom < Double.POSITIVE_INFINITY) { // otherwise the ground is unknown
       bottom = Math.min(bottom, downM(plane, floor.getAsDouble()) - clearance);
@@ -106,6 +101,21 @@ final class VerticalEvasion {
             world.shapesElsewhere(),
             groundOrBeyond,
             direction));
+  }
+
+  /**
+   * Down coordinate of the highest altitude to which the corridors and the fence let the vehicle
+   * climb [m]; −∞ without a limit.
+   */
+  double highestDownM(PlanningPlane plane, SeenWorld world, AvoidanceVariables now) {
+    double top = Double.NEGATIVE_INFINITY;
+    for (PlanarShape corridor : world.corridors()) {
+      top = Math.max(top, corridor.topDownM());
+    }
+    OptionalDouble ceiling = fence.map(FenceState::highest).orElse(OptionalDouble.empty());
+    return ceiling.isEmpty()
+        ? top
+        : Math.max(top, downM(plane, ceiling.getAsDouble()) + now.verticalClearance());
   }
 
   /**

@@ -72,23 +72,26 @@ class RouteGroundTest {
     assertThat(isFree(5.5)).isFalse();
   }
 
-  /** It is then judged as where it begins, so that it can leave, but not come lower. */
+  /**
+   * It is then judged as where it begins, so that it can leave, but not come lower. The ground
+   * beside it, from which routes keep away, must not enclose it.
+   */
   @Test
-  void see_beginsLow_countsGroundThatIsNearerThanAtTheBeginning() {
+  void see_beginsLow_countsGroundThatIsNearerThanAroundTheBeginning() {
     see(9.0, -50.0, 0.0);
-    assertThat(isFree(-0.5)).isTrue();
-    assertThat(isFree(0.5)).isFalse();
+    assertThat(isFree(RouteGround.reachM(bench.settings) - 0.15)).isTrue();
+    assertThat(isFree(RouteGround.reachM(bench.settings) + 0.15)).isFalse();
 
     see(4.0, -50.0, 0.0);
     assertThat(isFree(-4.0)).isFalse();
   }
 
   @Test
-  void see_goalLow_countsGroundThatIsNearerThanAtTheGoal() {
+  void see_goalLow_countsGroundThatIsNearerThanAroundTheGoal() {
     see(15.0, 8.0, 0.0);
 
-    assertThat(isFree(7.5)).isTrue();
-    assertThat(isFree(8.5)).isFalse();
+    assertThat(isFree(8.0 + RouteGround.reachM(bench.settings) - 0.15)).isTrue();
+    assertThat(isFree(8.0 + RouteGround.reachM(bench.settings) + 0.15)).isFalse();
   }
 
   @Test
