@@ -5,6 +5,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.planning.avoidance.Avoidance.Wanted;
 import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.search.GridFrame;
+import org.u2sa.planning.seen.GroundMap;
 import org.u2sa.planning.seen.PlanningPlane;
 import org.u2sa.planning.seen.SeenWorld;
 

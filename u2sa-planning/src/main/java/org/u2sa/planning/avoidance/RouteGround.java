@@ -6,6 +6,7 @@ import java.util.function.DoubleSupplier;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.seen.FlightProfile;
+import org.u2sa.planning.seen.GroundMap;
 import org.u2sa.planning.seen.PlanningPlane;
 import org.u2sa.planning.seen.SeenWorld;
 

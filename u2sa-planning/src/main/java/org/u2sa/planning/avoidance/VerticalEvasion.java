@@ -11,6 +11,7 @@ import org.u2sa.messages.safety.FenceState;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.local.ArcChoice;
 import org.u2sa.planning.local.VerticalRoom;
+import org.u2sa.planning.seen.GroundMap;
 import org.u2sa.planning.seen.PlanarShape;
 import org.u2sa.planning.seen.PlanningPlane;
 import org.u2sa.planning.seen.SeenWorld;

@@ -17,6 +17,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.search.CostGrid;
+import org.u2sa.planning.seen.GroundMap;
 import org.u2sa.planning.seen.PlanningPlane;
 
 /**

@@ -21,6 +21,7 @@ import org.u2sa.messages.safety.FenceState;
 import org.u2sa.messages.shape.Polygon;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.local.VerticalRoom;
+import org.u2sa.planning.seen.GroundMap;
 import org.u2sa.planning.seen.PlanningPlane;
 
 /** Between which altitudes an aircraft 75 m high that keeps 20 m above and below may evade. */

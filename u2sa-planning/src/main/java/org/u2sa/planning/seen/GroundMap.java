@@ -1,4 +1,4 @@
-package org.u2sa.planning.avoidance;
+package org.u2sa.planning.seen;
 
 import java.util.Arrays;
 import java.util.Optional;
@@ -6,13 +6,12 @@ import java.util.OptionalDouble;
 import org.u2sa.interfaces.terrain.HeightGrid;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.planning.seen.PlanningPlane;
 
 /**
  * Ground of a height map on the planning plane. Simulated motions ask for it many thousand times
  * per step: heights are stored for nodes, and interpolated. Confined to the planner's thread.
  */
-final class GroundMap {
+public final class GroundMap {
   private static final double NODE_M = 2.0;
   private static final int NODES = 256; // stored in each direction; farther ones replace nearer
   private static final double SQUARE_M = 64.0; // within which longitude and latitude are linear
@@ -32,12 +31,12 @@ final class GroundMap {
   private final int[] cornerColumns = new int[SQUARES * SQUARES];
   private PlanningPlane plane;
 
-  GroundMap(Optional<HeightGrid> terrain) {
+  public GroundMap(Optional<HeightGrid> terrain) {
     this.terrain = terrain;
   }
 
   /** Down coordinate of the ground [m]; NaN if unknown. */
-  double downM(PlanningPlane on, double northM, double eastM) {
+  public double downM(PlanningPlane on, double northM, double eastM) {
     if (!isOn(on)) {
       return Double.NaN;
     }
@@ -54,7 +53,7 @@ final class GroundMap {
   }
 
   /** Whether the ground is known on a plane; later calls are about that plane. */
-  boolean isOn(PlanningPlane on) {
+  public boolean isOn(PlanningPlane on) {
     if (terrain.isEmpty() || !on.onEarth()) {
       return false;
     }
@@ -77,7 +76,7 @@ final class GroundMap {
   }
 
   /** Like {@link #downM} on the plane of the last call, without storing heights. */
-  double mappedM(double northM, double eastM) {
+  public double mappedM(double northM, double eastM) {
     Geodetic place = place(northM, eastM);
     OptionalDouble altitude = terrain.orElseThrow().altitudeM(place);
     return altitude.isPresent() ? place.altitudeM() - altitude.getAsDouble() : Double.NaN;
@@ -87,7 +86,7 @@ final class GroundMap {
    * Down coordinate of the highest ground within a distance, on the plane of the last call [m]; NaN
    * if unknown.
    */
-  double highestM(double northM, double eastM, double reachM) {
+  public double highestM(double northM, double eastM, double reachM) {
     double highestM = mappedM(northM, eastM);
     for (int i = 0; i < RINGS * DIRECTIONS; i++) {
       double radiusM = reachM * (1 + i / DIRECTIONS) / RINGS;

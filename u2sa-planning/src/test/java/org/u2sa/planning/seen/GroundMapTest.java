@@ -1,4 +1,4 @@
-package org.u2sa.planning.avoidance;
+package org.u2sa.planning.seen;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -15,7 +15,6 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
-import org.u2sa.planning.seen.PlanningPlane;
 
 /** A map of about 1.5 km from south to north on which the ground rises to the north-east. */
 class GroundMapTest {
