@@ -15,7 +15,8 @@ import org.u2sa.planning.seen.SeenWorld;
  * plane [m]. Confined to the planner's thread.
  */
 final class CruiseAltitude {
-  private static final double LEAST_M = 3.0; // above the ground, from which it may move sideways
+  private static final double MIN_HEIGHT_M =
+      3.0; // above the ground, from which it may move sideways
   private static final double RISES_M = 1.0; // smaller climbs are made on the way
   private static final double RISEN_M = 0.5; // below the altitude to which it rises
   private static final double STEP_M = 5.0; // between positions of a straight way, at least
@@ -60,7 +61,7 @@ final class CruiseAltitude {
    * The goal at the altitude to be flown.
    *
    * @param wanted goal with an altitude
-   * @param given goal as given, maybe without one
+   * @param given goal as given, with or without one
    * @param at vehicle on the plane [m]
    */
   Wanted over(
@@ -101,7 +102,7 @@ final class CruiseAltitude {
       double hereM = ground.highestM(at.x(), at.y(), reachM);
       double goalAboveM = free ? Double.POSITIVE_INFINITY : goalM - at.z() - toGoal.z();
       if (now.stops()) {
-        double keptM = Math.max(LEAST_M, ground.mappedM(at.x(), at.y()) - at.z());
+        double keptM = Math.max(MIN_HEIGHT_M, ground.mappedM(at.x(), at.y()) - at.z());
         keptM = Math.min(keptM, Math.min(now.verticalClearance(), goalAboveM));
         double freeM = straightUpM(vehicle, at, Math.max(highestM, hereM - keptM), now);
         rises = freeM > RISES_M;

@@ -13,7 +13,7 @@ final class RoomSearch {
   private static final int FAN = 6; // arcs to each side
   private static final double BEND = 0.5; // curvature of the outer ones, of the tightest
   private static final double REACH_RADII = 10.0; // length of the longest way
-  private static final double MOST_RAD = Math.toRadians(60.0); // turn on an arc
+  private static final double MAX_TURN_RAD = Math.toRadians(60.0); // turn on an arc
   private static final double CLOSE = 10.0; // cost of each metre closer than the clearance [m]
 
   private final CostGrid costs;
@@ -53,7 +53,7 @@ final class RoomSearch {
   /** The way along an arc; null if it leads to no room or over unseen ground in reverse. */
   private Way along(boolean backwards, double curvature) {
     double stepM = costs.frame().cellM();
-    double reachM = Math.min(REACH_RADII * body.circleM(), MOST_RAD / Math.abs(curvature));
+    double reachM = Math.min(REACH_RADII * body.circleM(), MAX_TURN_RAD / Math.abs(curvature));
     double enoughM = TurnRoom.enoughM(costs, body, limits);
     double requiredM = Math.min(limits.touchM(), clearanceM(pose) - 1.0e-6);
     double leastM = limits.clearanceM();
