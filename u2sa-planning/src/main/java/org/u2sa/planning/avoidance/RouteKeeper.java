@@ -184,7 +184,7 @@ final class RouteKeeper {
     }
     double off = Pose.wrapped(now.goalHeadingRad().getAsDouble() - now.pose().headingRad());
     return now.settings().stops()
-        && track.get().remainingM() < reachedM(now)
+        && track.get().isAtEnd(reachedM(now))
         && Math.abs(off) > MISALIGNED_RAD;
   }
 

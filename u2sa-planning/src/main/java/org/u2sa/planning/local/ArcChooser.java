@@ -23,6 +23,9 @@ public final class ArcChooser {
   private static final double ROOMIER_M = 0.005; // difference in mean distance that matters
   private static final double SLOWEST = 0.4; // fraction of the speed, close to a route
   private static final double UNSEEN_MPS = 0.3; // in reverse, where nobody knows what is there
+  private static final double SHORT_M = 0.35; // controls stop short of nearer points
+  private static final double SHORT_MPS = 0.2; // on a leg that is about as short
+  private static final double PASSED_M = 0.02;
   private static final double STILL_MPS = 0.1; // slower drift does not matter
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
@@ -140,7 +143,8 @@ public final class ArcChooser {
           if (outcome.lacksM() < CLEARLY_MORE * leastLacksM - SAME_M) {
             leastLacksM = outcome.lacksM();
             double slow = Math.min(Math.min(straight, safe), closeMps(ahead));
-            roomiest = new ArcChoice(north, east, slow, backwards, ArcChoice.Kind.FOLLOW);
+            ArcChoice to = new ArcChoice(north, east, slow, backwards, ArcChoice.Kind.FOLLOW);
+            roomiest = isShort(track) ? beyond(to, curvature) : to;
           }
           break;
         }
@@ -157,6 +161,26 @@ public final class ArcChooser {
       }
     }
     return roomiest == null ? evade(track) : roomiest;
+  }
+
+  /** Whether a control that stops short of a point may not drive a leg of the route at all. */
+  private boolean isShort(RouteTrack track) {
+    return limits.stops() && !limits.turnsOnTheSpot() && track.legM() < 2.0 * SHORT_M;
+  }
+
+  /** A slow motion farther along the arc, unless the point is farther away or was passed. */
+  private ArcChoice beyond(ArcChoice to, double curvature) {
+    double sign = to.backwards() ? -1.0 : 1.0;
+    double leftM =
+        sign
+            * pose.distanceM(to.northM(), to.eastM())
+            * Math.cos(bearingRad(to.northM(), to.eastM()));
+    if (leftM >= SHORT_M || leftM <= PASSED_M) {
+      return to;
+    }
+    Pose far = pose.along(sign * SHORT_M, curvature);
+    double slow = Math.min(to.speedMps(), SHORT_MPS);
+    return new ArcChoice(far.northM(), far.eastM(), slow, to.backwards(), to.kind());
   }
 
   /** Maximum speed of a route in reverse, over ground that may not have been seen [m/s]. */

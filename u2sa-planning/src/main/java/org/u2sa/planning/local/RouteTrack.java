@@ -11,6 +11,8 @@ public final class RouteTrack {
   /** Search range ahead of the last position, in look-aheads. */
   private static final double SEARCHED = 3.0;
 
+  private static final double REACHED = 0.25; // of a leg, which counts as its end
+
   private final double[] north;
   private final double[] east;
   private final boolean[] backwards; // to each point
@@ -67,7 +69,7 @@ public final class RouteTrack {
   /**
    * Updates with the vehicle's position.
    *
-   * @param reachedM distance within which a cusp counts as reached [m]
+   * @param reachedM distance within which a cusp counts as reached [m], or a quarter of the leg
    * @return distance off the route [m]
    */
   public double follow(double vehicleNorth, double vehicleEast, double reachedM, double aheadM) {
@@ -98,12 +100,29 @@ public final class RouteTrack {
     }
     alongM = bestAt;
     segment = bestSegment;
-    boolean there = at[cusp] - alongM <= reachedM;
-    if (there && cusp < at.length - 1) {
+    if (at[cusp] - alongM <= within(reachedM) && cusp < at.length - 1) {
       alongM = at[cusp];
       segment = cusp + 1;
     }
     return best;
+  }
+
+  /** Whether the vehicle is at the end of its last leg; parameter as in {@link #follow}. */
+  public boolean isAtEnd(double reachedM) {
+    return remainingM() <= within(reachedM);
+  }
+
+  private double within(double reachedM) {
+    return Math.min(reachedM, REACHED * legM());
+  }
+
+  /** Length of the current leg, between cusps [m]. */
+  double legM() {
+    int first = segment - 1;
+    while (first > 0 && backwards[first] == backwards[segment]) {
+      first--;
+    }
+    return at[cusp()] - at[first];
   }
 
   /** Next cusp, or the last point. */
