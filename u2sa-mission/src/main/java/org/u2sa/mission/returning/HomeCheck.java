@@ -48,8 +48,8 @@ public final class HomeCheck {
   }
 
   /**
-   * Compares the altitude of each home once with that of a slow vehicle beside it: in its first 2 s
-   * and while it is known to be disarmed.
+   * Compares the altitude of the home with that of a slow vehicle beside it, in its first 2 s and
+   * while it is known to be disarmed. Each home is reported once.
    *
    * @return empty unless they differ by more than 5 m and three sigmas
    */
