@@ -189,7 +189,8 @@ final class RawClient implements AutoCloseable {
     send(new byte[] {(byte) 0xe0, 0, 0x40, 2, (byte) (identifier >> 8), (byte) identifier});
   }
 
-  private static byte[] packet(int type, byte[] content) throws IOException {
+  /** A packet: its first byte, its length, its content. */
+  static byte[] packet(int type, byte[] content) throws IOException {
     ByteArrayOutputStream packet = new ByteArrayOutputStream();
     packet.write(type);
     int left = content.length;

@@ -8,6 +8,7 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.net.SocketException;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -15,16 +16,19 @@ import java.util.concurrent.CopyOnWriteArrayList;
 
 /**
  * A broker of another make for one client: it holds some messages and hands each, with MQTT's
- * retained flag, to a subscription that begins with the same channel.
+ * retained flag, to a subscription that begins with the same channel. It returns what the client
+ * publishes.
  */
 final class RetainingBroker implements AutoCloseable {
   private static final int FIRST_LEVELS = 3; // u2sa, system, channel
+  private static final int ID_AT = 10; // behind the protocol's name, level, flags and keep-alive
 
   private final ServerSocket listening;
   private final Map<String, byte[]> held = new LinkedHashMap<>();
   private final List<IOException> faults = new CopyOnWriteArrayList<>();
   private final Thread thread = new Thread(this::serve, "retaining-broker");
   private Socket client; // written under this
+  private volatile String clientId = "";
 
   RetainingBroker() throws IOException {
     listening = new ServerSocket(0, 1, InetAddress.getByName("127.0.0.1"));
@@ -49,7 +53,7 @@ final class RetainingBroker implements AutoCloseable {
       DataInputStream in = new DataInputStream(socket.getInputStream());
       while (true) {
         int first = in.readUnsignedByte();
-        answer(first >> 4, in.readNBytes(length(in)));
+        answer(first, in.readNBytes(length(in)));
       }
     } catch (EOFException | SocketException e) {
       return; // the client has left, or the test is over
@@ -69,14 +73,18 @@ final class RetainingBroker implements AutoCloseable {
     }
   }
 
-  private void answer(int type, byte[] content) throws IOException {
-    switch (type) {
+  private void answer(int first, byte[] content) throws IOException {
+    switch (first >> 4) {
       case 1: // CONNECT
+        clientId = text(content, ID_AT);
         send(new byte[] {0x20, 2, 0, 0});
+        break;
+      case 3: // PUBLISH
+        returnToClient(content, (first >> 1 & 3) > 0);
         break;
       case 8: // SUBSCRIBE, of one filter
         send(new byte[] {(byte) 0x90, 3, content[0], content[1], 1});
-        handOver(new String(content, 4, content.length - 5, StandardCharsets.UTF_8));
+        handOver(text(content, 2));
         break;
       case 10: // UNSUBSCRIBE
         send(new byte[] {(byte) 0xb0, 2, content[0], content[1]});
@@ -87,6 +95,26 @@ final class RetainingBroker implements AutoCloseable {
       default: // what needs no answer here
         break;
     }
+  }
+
+  private static String text(byte[] content, int at) {
+    int length = (content[at] & 0xff) << 8 | content[at + 1] & 0xff;
+    return new String(content, at + 2, length, StandardCharsets.UTF_8);
+  }
+
+  private void returnToClient(byte[] content, boolean isNumbered) throws IOException {
+    String topic = text(content, 0);
+    int at = 2 + topic.getBytes(StandardCharsets.UTF_8).length;
+    if (isNumbered) {
+      send(new byte[] {0x40, 2, content[at], content[at + 1]}); // PUBACK
+      at += 2;
+    }
+    publish(topic, Arrays.copyOfRange(content, at, content.length), false);
+  }
+
+  /** The ID that the client has given itself. */
+  String clientId() {
+    return clientId;
   }
 
   private void handOver(String filter) throws IOException {
@@ -102,13 +130,12 @@ final class RetainingBroker implements AutoCloseable {
   /** QoS 0. */
   void publish(String topic, byte[] payload, boolean retained) throws IOException {
     byte[] name = topic.getBytes(StandardCharsets.UTF_8);
-    byte[] packet = new byte[4 + name.length + payload.length];
-    packet[0] = (byte) (0x30 | (retained ? 1 : 0));
-    packet[1] = (byte) (2 + name.length + payload.length); // below 128
-    packet[3] = (byte) name.length;
-    System.arraycopy(name, 0, packet, 4, name.length);
-    System.arraycopy(payload, 0, packet, 4 + name.length, payload.length);
-    send(packet);
+    byte[] content = new byte[2 + name.length + payload.length];
+    content[0] = (byte) (name.length >> 8);
+    content[1] = (byte) name.length;
+    System.arraycopy(name, 0, content, 2, name.length);
+    System.arraycopy(payload, 0, content, 2 + name.length, payload.length);
+    send(RawClient.packet(0x30 | (retained ? 1 : 0), content));
   }
 
   private synchronized void send(byte[] packet) throws IOException {
