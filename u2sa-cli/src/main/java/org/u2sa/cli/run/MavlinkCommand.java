@@ -7,6 +7,7 @@ import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.gcs.mavlink.BridgeOptions;
 import org.u2sa.gcs.mavlink.MavlinkBridge;
+import org.u2sa.gcs.mavlink.SigningKeys;
 import org.u2sa.gcs.remote.RemoteLink;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -47,11 +48,12 @@ public final class MavlinkCommand extends BaseCommand {
       }
     }
     List<MavlinkBridge> bridges = new ArrayList<>();
+    SigningKeys keys = new SigningKeys();
     try {
       for (BridgeOptions each : parsed) {
         RemoteLink link = remote.connect();
         link.keepTime();
-        bridges.add(new MavlinkBridge(link, each, this::tell));
+        bridges.add(new MavlinkBridge(link, each, keys, this::tell));
         print("MAVLink ground stations: " + each + ". Ctrl-C ends it.");
       }
       out().flush();

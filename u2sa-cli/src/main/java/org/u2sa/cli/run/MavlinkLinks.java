@@ -9,6 +9,7 @@ import org.u2sa.core.launch.RunningSystem;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.gcs.mavlink.BridgeOptions;
 import org.u2sa.gcs.mavlink.MavlinkBridge;
+import org.u2sa.gcs.mavlink.SigningKeys;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.mqtt.BrokerAccess;
@@ -69,10 +70,11 @@ public final class MavlinkLinks {
               + ": the broker has a SECURITY DIRECTORY; expected ./u2sa mavlink beside it, with --user");
     }
     List<MavlinkBridge> started = new ArrayList<>();
+    SigningKeys keys = new SigningKeys();
     Bridges bridges = () -> started.forEach(MavlinkBridge::close);
     try {
       for (BridgeOptions link : links) {
-        started.add(start(link, file.systemId(), running, console));
+        started.add(start(link, file.systemId(), running, keys, console));
       }
     } catch (RuntimeException e) {
       bridges.close();
@@ -94,7 +96,11 @@ public final class MavlinkLinks {
   }
 
   private static MavlinkBridge start(
-      BridgeOptions options, String systemId, RunningSystem running, Consumer<String> console) {
+      BridgeOptions options,
+      String systemId,
+      RunningSystem running,
+      SigningKeys keys,
+      Consumer<String> console) {
     InetSocketAddress broker =
         running
             .communicationManager()
@@ -118,7 +124,7 @@ public final class MavlinkLinks {
     RemoteLink link =
         new RemoteLink(transport, "u2sa-mavlink", new SystemClock(), ANSWER_WITHIN_S, console);
     link.keepTime();
-    MavlinkBridge bridge = new MavlinkBridge(link, options, console);
+    MavlinkBridge bridge = new MavlinkBridge(link, options, keys, console);
     console.accept("MAVLink ground stations: " + options);
     return bridge;
   }

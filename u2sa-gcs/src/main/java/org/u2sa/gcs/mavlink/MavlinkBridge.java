@@ -3,8 +3,6 @@ package org.u2sa.gcs.mavlink;
 import io.dronefleet.mavlink.common.MavSeverity;
 import java.io.IOException;
 import java.nio.channels.Selector;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.ServiceLoader;
@@ -50,10 +48,12 @@ public final class MavlinkBridge implements AutoCloseable {
    * Starts a bridge.
    *
    * @param link link to the vehicle; the bridge closes it
+   * @param keys shared by the bridges of this process
    * @param console receives lines about the bridge
    * @throws BadInputException if the address is taken or the key cannot be read
    */
-  public MavlinkBridge(RemoteLink link, BridgeOptions options, Consumer<String> console) {
+  public MavlinkBridge(
+      RemoteLink link, BridgeOptions options, SigningKeys keys, Consumer<String> console) {
     this.link = link;
     this.console = console;
     vehicle =
@@ -66,7 +66,7 @@ public final class MavlinkBridge implements AutoCloseable {
             options.logs().map(RecordingFolder::new),
             link.clock()::micros);
     Optional<MavlinkSigning> signing =
-        options.key().map(file -> new MavlinkSigning(passphrase(file), link.clock()::micros));
+        options.key().map(file -> keys.of(link.systemId(), file, link.clock()::micros));
     try {
       selector = Selector.open();
       stations = stations(options.place(), () -> new StationSession(vehicle, signing));
@@ -102,18 +102,6 @@ public final class MavlinkBridge implements AutoCloseable {
             .orElseThrow(() -> new IOException("serial ports need u2sa-drivers"))
             .open(serial.path(), serial.baud(), link.clock());
     return new SerialLink(line, serial.baud(), sessions.get());
-  }
-
-  private static String passphrase(Path file) {
-    try {
-      List<String> lines = Files.readAllLines(file);
-      if (lines.isEmpty() || lines.get(0).trim().isEmpty()) {
-        throw new BadInputException(file + ": expected the MAVLink passphrase in line 1");
-      }
-      return lines.get(0).trim();
-    } catch (IOException e) {
-      throw new BadInputException(file + ": the MAVLink passphrase cannot be read: " + e, e);
-    }
   }
 
   private void run() {

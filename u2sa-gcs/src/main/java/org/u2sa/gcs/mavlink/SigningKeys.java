@@ -1,0 +1,47 @@
+package org.u2sa.gcs.mavlink;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.LongSupplier;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.mavlink.MavlinkSigning;
+
+/**
+ * The passphrases of a process's MAVLink links. All links of a vehicle with the same passphrase
+ * admit a packet once between them: one that was recorded on a link is a replay on the others.
+ * Thread-safe.
+ */
+public final class SigningKeys {
+  private final Map<VehicleKey, MavlinkSigning> known = new HashMap<>();
+
+  private record VehicleKey(String systemId, String passphrase) {}
+
+  /**
+   * Signing for one link of a vehicle.
+   *
+   * @param file its first line is the passphrase
+   * @param unixMicros wall clock [µs since 1970]
+   * @throws BadInputException if there is no passphrase
+   */
+  synchronized MavlinkSigning of(String systemId, Path file, LongSupplier unixMicros) {
+    String passphrase = passphrase(file);
+    return known.computeIfAbsent(
+        new VehicleKey(systemId, passphrase), key -> new MavlinkSigning(passphrase, unixMicros));
+  }
+
+  private static String passphrase(Path file) {
+    try {
+      List<String> lines = Files.readAllLines(file);
+      if (lines.isEmpty() || lines.get(0).trim().isEmpty()) {
+        throw new BadInputException(file + ": expected the MAVLink passphrase in line 1");
+      }
+      return lines.get(0).trim();
+    } catch (IOException e) {
+      throw new BadInputException(file + ": the MAVLink passphrase cannot be read: " + e, e);
+    }
+  }
+}

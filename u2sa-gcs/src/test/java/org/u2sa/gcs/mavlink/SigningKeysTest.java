@@ -1,0 +1,71 @@
+package org.u2sa.gcs.mavlink;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.dronefleet.mavlink.common.Ping;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicLong;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.mavlink.MavlinkSigning;
+import org.u2sa.mavlink.MavlinkStream;
+
+/** What the MAVLink links of a process know of each other's packets. */
+class SigningKeysTest {
+  @TempDir Path folder;
+
+  private final AtomicLong clock = new AtomicLong(1_800_000_000_000_000L);
+  private final SigningKeys keys = new SigningKeys();
+  private final List<Object> heard = new ArrayList<>();
+  private byte[] packet;
+
+  @BeforeEach
+  void write() throws IOException {
+    Files.writeString(folder.resolve("key"), "secret\n");
+    Files.writeString(folder.resolve("copy"), " secret \nsomething else\n");
+    MavlinkSigning station = new MavlinkSigning("secret", clock::get);
+    packet =
+        new MavlinkStream(255, 190, Optional.of(station)).encode(Ping.builder().seq(1).build());
+  }
+
+  /** A link of a vehicle. */
+  private MavlinkStream link(String systemId, String file) {
+    MavlinkSigning signing = keys.of(systemId, folder.resolve(file), clock::get);
+    return new MavlinkStream(1, 1, Optional.of(signing.link()));
+  }
+
+  private int heardBy(MavlinkStream link) {
+    heard.clear();
+    link.accept(packet, packet.length, heard::add);
+    return heard.size();
+  }
+
+  @Test
+  void of_packetRecordedOnAnotherLinkOfTheVehicle_isRefused() {
+    assertThat(heardBy(link("boat", "key"))).isEqualTo(1);
+    assertThat(heardBy(link("boat", "key"))).isZero();
+    assertThat(heardBy(link("boat", "copy"))).isZero();
+  }
+
+  @Test
+  void of_otherVehicle_keepsItsOwnRecord() {
+    assertThat(heardBy(link("boat", "key"))).isEqualTo(1);
+    assertThat(heardBy(link("rover", "key"))).isEqualTo(1);
+  }
+
+  @Test
+  void of_fileWithoutPassphrase_isNamed() throws IOException {
+    Path empty = Files.writeString(folder.resolve("empty"), "\nsecret\n");
+    assertThatThrownBy(() -> keys.of("boat", empty, clock::get))
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContaining(empty + ": expected the MAVLink passphrase in line 1");
+  }
+}
