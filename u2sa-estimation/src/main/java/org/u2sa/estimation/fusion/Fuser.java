@@ -104,7 +104,8 @@ final class Fuser {
         vector(s, m, source, SensedQuantity.BODY_RATES);
       }
     }
-    if (delays.changes(s, m, source)) {
+    boolean isNew = s.trust[trust.of(s, source) + SourceTrust.RUN] == 0.0;
+    if (isNew && delays.changes(s, m, source)) { // repeated values show no delay
       trust.admit(s, source);
     }
     if (drives && !s.isStrapdown && s.hasTilt) {
@@ -131,6 +132,9 @@ final class Fuser {
       return;
     }
     int at = trust.of(s, source, quantity);
+    if (judge.leavesOutFrozen(s, source, at)) {
+      return;
+    }
     int slot = persistent.slot(s, m, quantity, source, at);
     if (PersistentErrors.isPosition(slot) && s.trust[at + SourceTrust.LEARNT] == 0.0) {
       SourceTrust.raise(s.trust, at, PersistentErrors.ALL_WHITE); // until the scatter is known
@@ -209,8 +213,8 @@ final class Fuser {
       motion.expect(s, source, quantity, linear.rows, update.expected);
       nis = update.weigh(linear, factor);
     }
-    if (judge.isFrozen(s, linear, update.expected, source, quantity, at)) {
-      s.trust[at + SourceTrust.GATED]++;
+    judge.lookWhetherFrozen(s, linear, update.expected, source, quantity, at);
+    if (judge.leavesOutFrozen(s, source, at)) {
       return;
     }
     trust.learn(s, at, linear, update.expected, isLog);

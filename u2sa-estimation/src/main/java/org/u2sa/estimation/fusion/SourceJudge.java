@@ -47,8 +47,21 @@ final class SourceJudge {
     return isStuck;
   }
 
-  /** Whether a source repeats its values while the vehicle moves. */
-  boolean isFrozen(
+  /**
+   * Leaves out a vector of a source that is frozen. It contradicts nothing either: what it repeats
+   * says nothing about the estimate.
+   */
+  boolean leavesOutFrozen(FilterState s, int source, int at) {
+    boolean isFrozen = s.trust[trust.of(s, source) + SourceTrust.IS_FROZEN] != 0.0;
+    if (isFrozen) {
+      s.trust[at + SourceTrust.GATED]++;
+      s.trust[at + SourceTrust.STREAK] = 0.0;
+    }
+    return isFrozen;
+  }
+
+  /** Finds whether a source repeats its values while the vehicle moves. */
+  void lookWhetherFrozen(
       FilterState s,
       Linearization model,
       double[] expected,
@@ -82,7 +95,6 @@ final class SourceJudge {
         t[own + SourceTrust.IS_FROZEN] = 1.0;
       }
     }
-    return t[own + SourceTrust.IS_FROZEN] != 0.0;
   }
 
   /**

@@ -36,4 +36,17 @@ class SourceJudgeTest {
     state.micros += 1_100_000;
     assertThat(judge.isContradicted(state, imu)).isFalse();
   }
+
+  @Test
+  void leavesOutFrozen_sourceThatWasRefused_speaksNoLonger() {
+    refuseThreeFixes();
+    int at = trust.of(state, gps, SensedQuantity.PLACE);
+    assertThat(judge.leavesOutFrozen(state, gps, at)).isFalse();
+    assertThat(judge.isContradicted(state, imu)).isTrue();
+
+    state.trust[trust.of(state, gps) + SourceTrust.IS_FROZEN] = 1.0;
+    assertThat(judge.leavesOutFrozen(state, gps, at)).isTrue();
+    assertThat(judge.isContradicted(state, imu)).isFalse();
+    assertThat(state.trust[at + SourceTrust.GATED]).isEqualTo(1.0);
+  }
 }
