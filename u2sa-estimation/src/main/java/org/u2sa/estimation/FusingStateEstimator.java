@@ -59,6 +59,7 @@ public final class FusingStateEstimator extends StateEstimator {
   private final Set<String> late = new TreeSet<>(); // sources that were logged as late
   private final Map<String, Standing> standings = new TreeMap<>();
   private final Map<String, StateInformation> newest = new TreeMap<>();
+  private final InertialPace pace = new InertialPace();
   private long publishedMicros = Long.MIN_VALUE;
   private long reportedMicros = Long.MIN_VALUE;
   private long reports;
@@ -104,8 +105,13 @@ public final class FusingStateEstimator extends StateEstimator {
     tellStart();
     report(Math.max(now, filter.micros()));
     long at = Math.max(now, filter.micros());
-    boolean isDue = at - publishedMicros >= Clock.micros(1.0 / variables.outputRate());
-    return publishedMicros == Long.MIN_VALUE || isDue ? Optional.of(state(at)) : Optional.empty();
+    pace.hear(measurement, at);
+    double periodS = 1.0 / variables.outputRate();
+    boolean isDue =
+        publishedMicros == Long.MIN_VALUE
+            || at - publishedMicros >= Clock.micros(periodS)
+                && !pace.isNextDue(filter, at, periodS);
+    return isDue ? Optional.of(state(at)) : Optional.empty();
   }
 
   private StateInformation checked(StateInformation sensed) {

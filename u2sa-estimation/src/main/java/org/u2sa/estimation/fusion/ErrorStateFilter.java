@@ -1,5 +1,6 @@
 package org.u2sa.estimation.fusion;
 
+import java.util.Optional;
 import org.u2sa.estimation.measurement.Measurement;
 
 /**
@@ -104,6 +105,19 @@ public final class ErrorStateFilter {
   /** Number of resets of a quantity that all its sources contradicted. */
   public long resets() {
     return state().resets;
+  }
+
+  /** Source whose angular rates drive the prediction; empty if none does. */
+  public Optional<String> inertialSource() {
+    FilterState state = state();
+    return state.isInertial && state.gyroSource >= 0
+        ? Optional.of(trust.name(state.gyroSource))
+        : Optional.empty();
+  }
+
+  /** Mean time between its samples [s]. */
+  public double inertialIntervalS() {
+    return state().x[FilterState.INPUT_INTERVAL];
   }
 
   public SourceReports sources() {
