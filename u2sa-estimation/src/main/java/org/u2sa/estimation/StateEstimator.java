@@ -1,6 +1,7 @@
 package org.u2sa.estimation;
 
 import java.util.HashSet;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import org.u2sa.interfaces.communication.Channels;
@@ -21,10 +22,12 @@ import org.u2sa.service.ServiceRole;
  */
 public abstract class StateEstimator extends EventDrivenService {
   private static final double FUTURE_S = 0.5; // tolerated clock difference between sensors
+  private static final double NOTEWORTHY_S = 0.05; // of that
   private static final int WARN_OF_IGNORED = 100;
   private static final int MAX_SOURCES = 32; // each costs time and memory in every estimate
 
   private final Set<String> sources = new HashSet<>(); // names of sensors
+  private final Set<String> ahead = new HashSet<>(); // those whose clock is noticeably ahead
   private long ignored;
   private long refused;
 
@@ -58,13 +61,38 @@ public abstract class StateEstimator extends EventDrivenService {
     }
     if (sources.contains(sensed.sensorName())
         || sources.size() < MAX_SOURCES && sources.add(sensed.sensorName())) {
-      estimate(sensed).ifPresent(estimate -> publishEstimate(estimate, sensed));
+      StateInformation timely = onArrival(sensed);
+      estimate(timely).ifPresent(estimate -> publishEstimate(estimate, timely));
     } else if (Long.bitCount(++refused) == 1) { // exponential back-off of the log
       trouble(
           String.format(
               "more than %s sensors: ignored %3$s measurements so far, last of \"%2$s\"",
               MAX_SOURCES, sensed.sensorName(), refused));
     }
+  }
+
+  /**
+   * A measurement of a clock that is a little ahead counts as made on arrival: nothing is measured
+   * later than it is said, and an estimate must not run ahead of this service's time.
+   */
+  private StateInformation onArrival(StateInformation sensed) {
+    long now = clock().micros();
+    double aheadS = Clock.seconds(sensed.timestamp().orElseThrow() - now);
+    if (aheadS <= 0.0 || aheadS > FUTURE_S) {
+      return sensed;
+    }
+    if (aheadS > NOTEWORTHY_S && ahead.add(sensed.sensorName())) {
+      trouble(
+          String.format(
+              Locale.ROOT,
+              "the clock of %s is %.2f s ahead: its measurements count as made on arrival",
+              sensed.sensorName(),
+              aheadS));
+    }
+    StateInformation timely = (StateInformation) sensed.copy();
+    timely.timestamp(now);
+    timely.freeze();
+    return timely;
   }
 
   /** Reports an ignored measurement, rate-limited. */
