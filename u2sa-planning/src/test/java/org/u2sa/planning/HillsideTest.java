@@ -32,11 +32,13 @@ import org.u2sa.messages.safety.FenceState;
 class HillsideTest extends PlannedVehicle {
   private static final double STEP_S = 0.1;
   private static final double WAY_M = 70.0;
+  private static final double FAR_M = 120.0; // to a goal outside PLANNING SPAN
   private static final double CLEARANCE_M = 5.0;
 
   @TempDir Path folder;
   private final Multirotor vehicle = new Multirotor();
   private DoubleBinaryOperator ground = (north, east) -> 0.0;
+  private double spanM = 160.0; // edge of the planned area
   private double lowestM = Double.POSITIVE_INFINITY; // above the ground, while it moves sideways
 
   /** Obeys at once. */
@@ -67,7 +69,7 @@ class HillsideTest extends PlannedVehicle {
 
   private void start(double aboveM, DoubleBinaryOperator heights) throws IOException {
     ground = heights;
-    int cells = 201;
+    int cells = 401;
     double cellDeg = 0.00002;
     double west = TestVehicle.ORIGIN.longitudeDeg() - cells / 2 * cellDeg;
     double south = TestVehicle.ORIGIN.latitudeDeg() - cells / 2 * cellDeg;
@@ -85,7 +87,7 @@ class HillsideTest extends PlannedVehicle {
     kit.with("PLANNER", "GRID").with("VERTICAL CLEARANCE", CLEARANCE_M).with("EVASION CLIMB", 2.0);
     kit.with("VEHICLE FRONT", 0.5).with("VEHICLE REAR", 0.5).with("VEHICLE WIDTH", 1.0);
     kit.with("CLEARANCE", 3.0).with("INFLATION", 6.0).with("PLANNING CELL", 1.0);
-    kit.with("PLANNING SPAN", 160.0).with("LOOK AHEAD", 8.0).with("PLANNED SPEED", 5.0);
+    kit.with("PLANNING SPAN", spanM).with("LOOK AHEAD", 8.0).with("PLANNED SPEED", 5.0);
     kit.with("GIVE UP AFTER", 10.0).with("STUCK AFTER", 20.0).with("TERRAIN", map.toString());
     kit.start(PathPlanner::new);
     vehicle.altitude = heights.applyAsDouble(0.0, 0.0) + aboveM;
@@ -190,5 +192,72 @@ class HillsideTest extends PlannedVehicle {
 
     assertThat(fly(90.0).reason().orElseThrow()).contains("ground that is too high counts as one");
     assertThat(vehicle.altitude).isLessThan(30.0);
+  }
+
+  /** A ridge across the way, in the middle between the vehicle and a goal beyond PLANNING SPAN. */
+  private static DoubleBinaryOperator ridge(double halfLengthM) {
+    return (north, east) ->
+        30.0
+            * Math.exp(-Math.pow((north - 0.5 * FAR_M) / 12.0, 2.0))
+            / (1.0 + Math.exp((Math.abs(east) - halfLengthM) / 4.0));
+  }
+
+  /**
+   * From each edge of the planned area, which may end before it, the way leads through the ridge.
+   */
+  @ParameterizedTest
+  @CsvSource({"160", "60"})
+  void home_beyondTheSpanBehindALongRidge_climbsOverIt(double span) throws IOException {
+    spanM = span;
+    start(4.0, ridge(1000.0));
+    goals(north(FAR_M));
+
+    assertThat(fly(90.0).completed()).isTrue();
+    assertThat(lowestM).isGreaterThan(3.0);
+    assertThat(logged("the ground leaves no way to the goal: climbing")).isOne();
+  }
+
+  @Test
+  void waypoint_beyondTheSpanBehindALongRidge_climbsOverItAndDescends() throws IOException {
+    start(4.0, ridge(1000.0));
+    goals(north(FAR_M).z(4.0).verticalThreshold(1.0));
+
+    assertThat(fly(120.0).completed()).isTrue();
+    assertThat(lowestM).isGreaterThan(3.0);
+  }
+
+  /** It ends outside the planned area. */
+  @Test
+  void home_beyondTheSpanBehindAShortRidge_isReachedAroundIt() throws IOException {
+    start(6.0, ridge(100.0));
+    goals(north(FAR_M));
+
+    assertThat(fly(90.0).completed()).isTrue();
+    assertThat(lowestM).isGreaterThan(4.0);
+    assertThat(vehicle.altitude).isLessThan(7.0);
+  }
+
+  /** A way around is then no longer too long. */
+  @Test
+  void home_beyondTheSpanBehindARidgeAboveTheCeiling_isReachedAroundIt() throws IOException {
+    start(6.0, ridge(160.0));
+    kit.publish(
+        Channels.FENCE, new FenceState().keepIn(List.of()).keepOut(List.of()).highest(25.0));
+    goals(north(FAR_M));
+
+    assertThat(fly(150.0).completed()).isTrue();
+    assertThat(lowestM).isGreaterThan(4.0);
+    assertThat(vehicle.altitude).isLessThan(25.0);
+  }
+
+  @Test
+  void home_beyondTheSpanBehindALongRidgeAboveTheCeiling_isGivenUp() throws IOException {
+    start(4.0, ridge(1000.0));
+    kit.publish(
+        Channels.FENCE, new FenceState().keepIn(List.of()).keepOut(List.of()).highest(25.0));
+    goals(north(FAR_M));
+
+    assertThat(fly(60.0).reason().orElseThrow()).contains("ground that is too high counts as one");
+    assertThat(vehicle.altitude).isLessThan(25.0);
   }
 }

@@ -449,12 +449,14 @@ public final class Avoidance {
     double speedMps = Math.max(vehicle.speedMps(), Situation.wantedMps(wanted, now));
     Optional<String> inGround = highGround.see(plane, at, toGoal, hasAltitudes, speedMps, now);
     world.update(state, at.x(), at.y(), at.z(), at.z() + toGoal.z());
+    world.leadTo(at.x() + toGoal.x(), at.y() + toGoal.y());
     Situation situation =
         Situation.of(
             pose, toGoal, wanted, vehicle, world.costs().frame().cellM(), now, lines.get());
+    routes.climbsIf(() -> cruise.clears(vehicle, plane, at, toGoal, now));
     routes.update(situation);
     if (routes.isHopeless()
-        && !world.highGround().isEmpty()
+        && world.hasHighGround()
         && cruise.raise(vehicle, plane, at, toGoal, now)) {
       say.accept("the ground leaves no way to the goal: climbing", false);
     }
@@ -486,7 +488,7 @@ public final class Avoidance {
   private boolean climbsOverGround(Point toGoal) {
     return cruise.hasClimbed()
         && routes.track().isEmpty()
-        && !world.highGround().isEmpty()
+        && world.hasHighGround()
         && toGoal.z() < -IN_PLACE_M;
   }
 

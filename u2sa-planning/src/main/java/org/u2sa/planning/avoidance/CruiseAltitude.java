@@ -17,6 +17,7 @@ import org.u2sa.planning.seen.SeenWorld;
 final class CruiseAltitude {
   private static final double MIN_HEIGHT_M =
       3.0; // above the ground, from which it may move sideways
+  private static final double ROUGHLY_M = 1.0; // above the clearance, over high ground
   private static final double RISES_M = 1.0; // smaller climbs are made on the way
   private static final double RISEN_M = 0.5; // below the altitude to which it rises
   private static final double STEP_M = 5.0; // between positions of a straight way, at least
@@ -169,14 +170,13 @@ final class CruiseAltitude {
    */
   boolean raise(
       Vehicle vehicle, PlanningPlane plane, Point at, Point toGoal, AvoidanceVariables now) {
-    boolean mayClimb = hasBegun && (isFree || now.stops() && !isThere(toGoal));
-    if (!mayClimb || toGoal.z() < -RISES_M) {
-      return false; // it is still climbing
+    if (!mayClimb(toGoal, now) || toGoal.z() < -RISES_M) {
+      return false; // or it is still climbing
     }
     double before = at.z() + toGoal.z();
     for (double groundM : new double[] {straightWayM(at, toGoal, now), plannedM()}) {
       double highestM = limits.highestDownM(plane, world, now);
-      double clearM = Math.max(highestM, groundM - now.verticalClearance());
+      double clearM = Math.max(highestM, aboveM(groundM, now));
       double upM = straightUpM(vehicle, at, clearM, now);
       if (upM > 0.0 && at.z() - upM < before - RISES_M) {
         raise(at.z() - upM);
@@ -184,6 +184,29 @@ final class CruiseAltitude {
       }
     }
     return false;
+  }
+
+  private boolean mayClimb(Point toGoal, AvoidanceVariables now) {
+    return hasBegun && (isFree || now.stops() && !isThere(toGoal));
+  }
+
+  /**
+   * Whether the vehicle can climb above the ground on the straight way, or does: nothing is above
+   * it, up to there. Parameters as of {@link #raise}.
+   */
+  boolean clears(
+      Vehicle vehicle, PlanningPlane plane, Point at, Point toGoal, AvoidanceVariables now) {
+    double clearM = aboveM(straightWayM(at, toGoal, now), now);
+    boolean climbs = toGoal.z() < -RISES_M || clearM < at.z() + toGoal.z() - RISES_M;
+    return mayClimb(toGoal, now)
+        && climbs
+        && !(clearM < limits.highestDownM(plane, world, now))
+        && straightUpM(vehicle, at, clearM, now) >= at.z() - clearM - RISEN_M;
+  }
+
+  /** Altitude at which it flies above ground, with room for errors of maps. */
+  private static double aboveM(double groundM, AvoidanceVariables now) {
+    return groundM - now.verticalClearance() - ROUGHLY_M;
   }
 
   /** Highest ground on the straight way to the goal, and beside it. */

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
+import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.goals.GoalRecheck;
@@ -14,6 +15,7 @@ import org.u2sa.planning.route.RoutePlanner;
 import org.u2sa.planning.route.RouteRequest;
 import org.u2sa.planning.route.RouteRequest.Mobility;
 import org.u2sa.planning.search.CostGrid;
+import org.u2sa.planning.search.GridFrame;
 import org.u2sa.planning.seen.PlanarShape;
 import org.u2sa.planning.seen.SeenWorld;
 
@@ -37,6 +39,7 @@ final class RouteKeeper {
   private static final double STOPS_SHORT_M = 0.15; // TOLERANCE of a control, by default
   private static final double STOPS_SHORT = 0.3; // likewise, in thresholds at most
 
+  private static final String NO_WAY = "obstacles leave no way to the goal";
   private static final double MISALIGNED_RAD = Math.toRadians(5.0); // as HYBRID aims
   private static final int MAX_DOUBLINGS = 4; // doublings of the wait after failed searches
 
@@ -46,6 +49,7 @@ final class RouteKeeper {
   private final Supplier<RoutePlanner> planner;
   private final BiConsumer<String, Boolean> say;
 
+  private BooleanSupplier climbs = () -> false; // whether it can climb above ground in the way
   private Optional<RouteTrack> track = Optional.empty();
   private String obstacle = ""; // reason for the absence of a route
   private boolean searches; // search in progress: no route until it ends
@@ -132,6 +136,11 @@ final class RouteKeeper {
   /** Whether the last search, in the world as it is, has found no route. */
   boolean isHopeless() {
     return track.isEmpty() && !searches && triedRevision == world.revision();
+  }
+
+  /** Sets whether the vehicle can climb above ground in the way: far around is then no way. */
+  void climbsIf(BooleanSupplier canClimb) {
+    climbs = canClimb;
   }
 
   /** Updates the vehicle's progress along the route, and the route. */
@@ -297,7 +306,7 @@ final class RouteKeeper {
   }
 
   private String reason(Route route) {
-    return route.exists() || route.goesOn() || world.highGround().isEmpty()
+    return route.exists() || route.goesOn() || !world.hasHighGround()
         ? route.obstacle()
         : route.obstacle() + " (ground that is too high counts as one)";
   }
@@ -308,24 +317,55 @@ final class RouteKeeper {
       triedRevision = world.revision();
     }
     AvoidanceVariables settings = now.settings();
-    return planner
-        .get()
-        .plan(
-            new RouteRequest(
-                now.pose(),
-                now.goalNorthM(),
-                now.goalEastM(),
-                now.goalHeadingRad(),
-                look.isSought() ? closeM(now) : now.thresholdM(),
-                new Mobility(
-                    passages.body(),
-                    settings.clearance(),
-                    TURN_MARGIN * now.slowRadiusM(),
-                    settings.reverses()),
-                world.costs(),
-                shapes(now),
-                world.corridors(),
-                settings.effort()));
+    Route route =
+        planner
+            .get()
+            .plan(
+                new RouteRequest(
+                    now.pose(),
+                    now.goalNorthM(),
+                    now.goalEastM(),
+                    now.goalHeadingRad(),
+                    look.isSought() ? closeM(now) : now.thresholdM(),
+                    new Mobility(
+                        passages.body(),
+                        settings.clearance(),
+                        TURN_MARGIN * now.slowRadiusM(),
+                        settings.reverses()),
+                    world.costs(),
+                    shapes(now),
+                    world.corridors(),
+                    settings.effort()));
+    return isNoWay(route, now) ? Route.none(NO_WAY) : route;
+  }
+
+  /**
+   * Whether ground beyond the window, which is too high, leaves a vehicle that can stop no way from
+   * where a route leaves the window, or one that can climb above it only a way that is longer than
+   * the straight one by more than the window's edge.
+   */
+  private boolean isNoWay(Route route, Situation now) {
+    GridFrame frame = world.costs().frame();
+    if (!route.exists() || frame.contains(now.goalNorthM(), now.goalEastM())) {
+      return false;
+    }
+    double north = now.pose().northM();
+    double east = now.pose().eastM();
+    double lengthM = 0.0;
+    for (Route.Point point : route.points()) {
+      if (!frame.contains(point.northM(), point.eastM())) {
+        break;
+      }
+      lengthM += Math.hypot(point.northM() - north, point.eastM() - east);
+      north = point.northM();
+      east = point.eastM();
+    }
+    double onM = world.costs().beyondM(north, east, now.goalNorthM(), now.goalEastM());
+    boolean isStraight = onM <= Math.hypot(now.goalNorthM() - north, now.goalEastM() - east);
+    double straightM = now.pose().distanceM(now.goalNorthM(), now.goalEastM());
+    boolean isFar = !isStraight && lengthM + onM > straightM + frame.rows() * frame.cellM();
+    boolean isClosed = now.settings().stops() && !world.costs().leadsOn(north, east);
+    return isClosed || isFar && climbs.getAsBoolean();
   }
 
   /** Obstacles; high ground only if its outline without dents leaves out vehicle and goal. */

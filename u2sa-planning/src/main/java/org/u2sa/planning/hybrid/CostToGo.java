@@ -1,6 +1,8 @@
 package org.u2sa.planning.hybrid;
 
 import java.util.Arrays;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import org.u2sa.planning.search.CostGrid;
 import org.u2sa.planning.search.GridFrame;
 
@@ -44,17 +46,48 @@ final class CostToGo {
       cost[goal] = Math.min(cost[goal], MOST); // a goal near an obstacle is still a goal
       reach(goal, 0.0f);
     } else {
-      for (int row = 0; row < rows; row++) {
-        boolean edge = row == 0 || row == rows - 1;
-        for (int column = 0; column < columns; column += edge ? 1 : Math.max(1, columns - 1)) {
-          int i = row * columns + column;
-          if (cost[i] < Float.POSITIVE_INFINITY) {
-            reach(i, distance(row, column, goalNorth, goalEast));
-          }
-        }
-      }
+      reachFromEdge(grid, goalNorth, goalEast);
     }
     spread();
+  }
+
+  private void reachFromEdge(CostGrid grid, double goalNorth, double goalEast) {
+    int[] edge =
+        IntStream.range(0, cost.length)
+            .filter(i -> isEdge(i) && cost[i] < Float.POSITIVE_INFINITY)
+            .toArray();
+    double[] beyondM =
+        IntStream.of(edge)
+            .mapToDouble(i -> grid.beyondM(northM(i), eastM(i), goalNorth, goalEast))
+            .toArray();
+    double least = DoubleStream.of(beyondM).min().orElse(0.0);
+    double most = DoubleStream.of(beyondM).max().orElse(0.0);
+    // Entries of different laps around the buckets must not share a bucket.
+    provide(STEP_BUCKETS + (int) Math.ceil((most - least) / bucketM));
+    for (int i = 0; i < edge.length; i++) {
+      reach(edge[i], (float) beyondM[i]);
+    }
+  }
+
+  private boolean isEdge(int cell) {
+    int row = cell / columns;
+    int column = cell % columns;
+    return row == 0 || column == 0 || row == rows - 1 || column == columns - 1;
+  }
+
+  private void provide(int needed) {
+    if (buckets.length < needed) {
+      buckets = new int[needed][];
+      filled = new int[needed];
+    }
+  }
+
+  private double northM(int cell) {
+    return frame.northM() + (cell / columns + 0.5) * 2.0 * frame.cellM();
+  }
+
+  private double eastM(int cell) {
+    return frame.eastM() + (cell % columns + 0.5) * 2.0 * frame.cellM();
   }
 
   private void reachAround(int goal, double goalNorth, double goalEast, double toleranceM) {
@@ -65,18 +98,13 @@ final class CostToGo {
     int lastColumn = Math.min(columns - 1, goalColumn + most);
     for (int row = Math.max(0, goalRow - most); row <= lastRow; row++) {
       for (int column = Math.max(0, goalColumn - most); column <= lastColumn; column++) {
-        float metres = distance(row, column, goalNorth, goalEast);
-        if (metres <= toleranceM && cost[row * columns + column] < Float.POSITIVE_INFINITY) {
-          reach(row * columns + column, metres);
+        int i = row * columns + column;
+        float metres = (float) Math.hypot(northM(i) - goalNorth, eastM(i) - goalEast);
+        if (metres <= toleranceM && cost[i] < Float.POSITIVE_INFINITY) {
+          reach(i, metres);
         }
       }
     }
-  }
-
-  private float distance(int row, int column, double goalNorth, double goalEast) {
-    double north = frame.northM() + (row + 0.5) * 2.0 * frame.cellM();
-    double east = frame.eastM() + (column + 0.5) * 2.0 * frame.cellM();
-    return (float) Math.hypot(north - goalNorth, east - goalEast);
   }
 
   private void prepare(CostGrid grid) {
@@ -87,13 +115,7 @@ final class CostToGo {
       cost = new float[rows * columns];
       toGo = new float[rows * columns];
     }
-    // The edges start together but differ by up to the diagonal: entries of different laps around
-    // the buckets must not share a bucket.
-    int needed = STEP_BUCKETS + (int) Math.ceil(PER_STEP * Math.hypot(rows, columns));
-    if (buckets.length < needed) {
-      buckets = new int[needed][];
-      filled = new int[needed];
-    }
+    provide(STEP_BUCKETS + (int) Math.ceil(PER_STEP * Math.hypot(rows, columns)));
     bucketM = 2.0 * frame.cellM() / PER_STEP;
     for (int row = 0; row < rows; row++) {
       for (int column = 0; column < columns; column++) {

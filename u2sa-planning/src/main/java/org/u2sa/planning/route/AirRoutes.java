@@ -6,6 +6,7 @@ import java.util.Optional;
 import org.u2sa.planning.air.TangentGraph;
 import org.u2sa.planning.curve.Curve;
 import org.u2sa.planning.route.RouteRequest.Mobility;
+import org.u2sa.planning.search.CostGrid;
 
 /**
  * The planner AIR: the shortest path around cylinders and keep-out zones and inside corridors, by
@@ -14,6 +15,7 @@ import org.u2sa.planning.route.RouteRequest.Mobility;
  */
 final class AirRoutes implements RoutePlanner {
   private static final double MIN_RADIUS_M = 0.1;
+  private static final double ASIDE = 0.25; // longer ways [spans of the window]
   private static final double KEPT = 1.05; // margin on the clearance, to agree with grid cells
 
   private final RoutePlanner grids = new HybridRoutes();
@@ -53,6 +55,34 @@ final class AirRoutes implements RoutePlanner {
                   < 2.0 * request.costs().inflation().radiusM();
       cost += leaves ? Math.hypot(to.northM() - from.northM(), to.eastM() - from.eastM()) : here;
     }
-    return cost == Double.POSITIVE_INFINITY ? grids.plan(request) : Route.of(points, cost);
+    return cost == Double.POSITIVE_INFINITY || leadsAside(points, request)
+        ? grids.plan(request)
+        : Route.of(points, cost);
+  }
+
+  /**
+   * Whether the path leaves the window where the way on leads around ground that is too high: it is
+   * only planned around what is in the window.
+   */
+  private static boolean leadsAside(List<Route.Point> points, RouteRequest request) {
+    CostGrid costs = request.costs();
+    int exit = 0;
+    while (exit < points.size()
+        && costs.frame().contains(points.get(exit).northM(), points.get(exit).eastM())) {
+      exit++;
+    }
+    if (exit == 0 || exit == points.size()) {
+      return false;
+    }
+    double leftM = 0.0;
+    for (int i = exit; i < points.size(); i++) {
+      Route.Point from = points.get(i - 1);
+      leftM +=
+          Math.hypot(points.get(i).northM() - from.northM(), points.get(i).eastM() - from.eastM());
+    }
+    Route.Point from = points.get(exit - 1);
+    double onM =
+        costs.beyondM(from.northM(), from.eastM(), request.goalNorthM(), request.goalEastM());
+    return onM > leftM + ASIDE * costs.frame().rows() * costs.frame().cellM();
   }
 }

@@ -2,11 +2,12 @@ package org.u2sa.planning.search;
 
 import java.nio.FloatBuffer;
 import java.util.Arrays;
+import java.util.Optional;
 import java.util.function.IntPredicate;
 
 /**
  * Traversal cost of each cell: 1 per metre in the open, more near obstacles, infinite where the
- * vehicle would collide. Outside the grid, space is assumed free.
+ * vehicle would collide. Outside the grid, space is assumed free, except for {@link #leadOn}.
  *
  * <p>Not thread-safe.
  */
@@ -39,6 +40,7 @@ public final class CostGrid {
   private final int[] changedAt; // by row: newest revision that may have changed a cost
   private final PassedGround passed;
   private int revision;
+  private Optional<WayBeyond> beyond = Optional.empty(); // straight
 
   public CostGrid(GridFrame frame, Inflation inflation) {
     this.frame = frame;
@@ -62,6 +64,41 @@ public final class CostGrid {
 
   public Inflation inflation() {
     return inflation;
+  }
+
+  /**
+   * Sets the ways to a goal outside the grid, from its edge; empty if they are straight.
+   *
+   * @return whether they were others before
+   */
+  public boolean leadOn(Optional<WayBeyond> ways) {
+    boolean isOther = !ways.equals(beyond);
+    beyond = ways;
+    return isOther;
+  }
+
+  /** Whether ways to the goal may lead around something outside the grid. */
+  public boolean leadsAround() {
+    return beyond.isPresent();
+  }
+
+  Optional<WayBeyond> beyond() {
+    return beyond;
+  }
+
+  /** Whether there is a way from a point to a goal outside the grid. */
+  public boolean leadsOn(double northM, double eastM) {
+    return beyond.map(way -> way.reaches(northM, eastM)).orElse(true);
+  }
+
+  /** Length of the way from a point to a goal outside the grid [m]. */
+  public double beyondM(double northM, double eastM, double goalNorthM, double goalEastM) {
+    if (beyond.isPresent()) {
+      return beyond.get().lengthM(northM, eastM);
+    }
+    double north = goalNorthM - northM; // Math.hypot is many times slower
+    double east = goalEastM - eastM;
+    return Math.sqrt(north * north + east * east);
   }
 
   /**

@@ -14,7 +14,7 @@ import java.util.Optional;
  * straightened where that costs no more.
  *
  * <p>If the goal lies outside the grid, every edge cell is a goal, at the cost of the straight-line
- * remainder. Not thread-safe.
+ * remainder or, if the grid has them, of the {@link WayBeyond}. Not thread-safe.
  */
 public final class DStarLite {
   private static final double DIAGONAL = Math.sqrt(2.0);
@@ -28,6 +28,7 @@ public final class DStarLite {
   final double goalNorthM;
   final double goalEastM;
   private final int goal; // −1: outside
+  private final Optional<WayBeyond> beyond; // as of the last search
   private final float[] cost; // as of the last search
   private final double[] g;
   private final double[] rhs;
@@ -49,6 +50,7 @@ public final class DStarLite {
     this.goalNorthM = goalNorthM;
     this.goalEastM = goalEastM;
     goal = frame.indexAt(goalNorthM, goalEastM);
+    beyond = grid.beyond();
     cost = new float[frame.cells()];
     g = new double[frame.cells()];
     rhs = new double[frame.cells()];
@@ -60,7 +62,8 @@ public final class DStarLite {
     boolean isThere =
         goal >= 0
             ? frame.indexAt(north, east) == goal
-            : Math.abs(north - goalNorthM) <= SAME_GOAL * frame.cellM()
+            : beyond.equals(costs.beyond())
+                && Math.abs(north - goalNorthM) <= SAME_GOAL * frame.cellM()
                 && Math.abs(east - goalEastM) <= SAME_GOAL * frame.cellM();
     return grid == costs && isThere;
   }
@@ -122,9 +125,9 @@ public final class DStarLite {
     }
     boolean edge =
         row == 0 || column == 0 || row == frame.rows() - 1 || column == frame.columns() - 1;
-    double north = frame.centreNorthM(cell) - goalNorthM;
-    double east = frame.centreEastM(cell) - goalEastM;
-    return edge ? Math.sqrt(north * north + east * east) : NEVER;
+    return edge
+        ? grid.beyondM(frame.centreNorthM(cell), frame.centreEastM(cell), goalNorthM, goalEastM)
+        : NEVER;
   }
 
   /** Updates cells whose costs have changed since the last search, and their neighbours. */

@@ -72,7 +72,7 @@ public final class ThetaStar {
       int column = cell % frame.columns();
       if (goal < 0 && isEdge(frame, row, column)) {
         double rest =
-            length(frame.centreNorthM(cell) - goalNorthM, frame.centreEastM(cell) - goalEastM);
+            grid.beyondM(frame.centreNorthM(cell), frame.centreEastM(cell), goalNorthM, goalEastM);
         if (g[cell] + rest < best) {
           best = g[cell] + rest;
           exit = cell;

@@ -6,7 +6,7 @@ import org.u2sa.planning.search.GridFrame;
 
 /** The planner's cells in which the ground is too high to fly over. Immutable. */
 final class GroundLayer {
-  private static final double ROUNDING_M = 0.01; // of heights on ground as high as the goal's
+  static final double ROUNDING_M = 0.01; // of heights on ground as high as the goal's
 
   private final FlightProfile profile;
   private final GridFrame frame;

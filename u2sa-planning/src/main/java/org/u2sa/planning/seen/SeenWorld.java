@@ -17,6 +17,7 @@ import org.u2sa.planning.search.BodyDiscs;
 import org.u2sa.planning.search.CostGrid;
 import org.u2sa.planning.search.GridFrame;
 import org.u2sa.planning.search.Inflation;
+import org.u2sa.planning.search.WayBeyond;
 
 /**
  * The World Modeler's newest objects and grid on one plane: static obstacles, traffic, and the cost
@@ -79,6 +80,7 @@ public final class SeenWorld {
   private GroundLayer high; // likewise; null: no ground counts
   private FlightProfile profile; // null: no ground counts
   private DoubleBinaryOperator groundDownM;
+  private FarGround farGround = new FarGround();
   private int revision;
   private boolean overlooks;
   private List<PlanarShape> guessed = List.of();
@@ -172,6 +174,7 @@ public final class SeenWorld {
       guessed = List.of();
       profile = null;
       high = null;
+      farGround = new FarGround();
       changed = true;
       costs = null;
     }
@@ -185,6 +188,11 @@ public final class SeenWorld {
   /** Convex outlines of ground that is too high to fly over, as of the last update. */
   public List<PlanarShape> highGround() {
     return high == null || profile == null ? List.of() : high.shapes();
+  }
+
+  /** Whether ground is too high to fly over, in the window or between it and the goal. */
+  public boolean hasHighGround() {
+    return !highGround().isEmpty() || profile != null && costs != null && costs.leadsAround();
   }
 
   /** Areas, at least one of which must contain the vehicle. */
@@ -331,6 +339,21 @@ public final class SeenWorld {
       revision++;
     }
     changed = false;
+  }
+
+  /**
+   * Sets the goal, after {@link #update}: if it is outside the window, routes lead to the edge from
+   * which the way on leads around ground that is too high.
+   */
+  public void leadTo(double goalNorthM, double goalEastM) {
+    boolean isBeyond = profile != null && !costs.frame().contains(goalNorthM, goalEastM);
+    Optional<WayBeyond> way =
+        isBeyond
+            ? farGround.way(profile, groundDownM, costs.frame(), goalNorthM, goalEastM)
+            : Optional.empty();
+    if (costs.leadOn(way)) {
+      revision++;
+    }
   }
 
   /** Cell states of the window according to the World Modeler's grid and all objects. */
