@@ -18,9 +18,11 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.Station;
+import org.u2sa.messages.mission.MissionReport;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.safety.ManualState;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.planning.avoidance.Avoidance;
 import org.u2sa.planning.avoidance.AvoidanceVariables;
 import org.u2sa.planning.flight.FlightChecks;
@@ -51,7 +53,8 @@ import org.u2sa.service.handover.HandOver;
 
 /**
  * Plans the path to the current goal (thesis 3.2.3.4): a state machine with one state per class of
- * goals. In: state, goals, failsafe, manual-state, fence, actuators. Out: navigation, goal-reports.
+ * goals. In: state, goals, failsafe, manual-state, fence, actuators; with TERRAIN mission. Out:
+ * navigation, goal-reports; with TERRAIN mission (requests).
  *
  * <p>It plans once per state estimate, so without fresh states it publishes no navigation points.
  * On request of a failsafe it holds its position, as at the mission's end, or publishes none. The
@@ -68,6 +71,7 @@ public class PathPlanner extends EventDrivenService {
   private final BlindStand blind;
   private final Detour detour;
   private final FlightChecks checks;
+  private final Optional<TerrainLimits> terrainLimits;
   private final TakeOffWatch takeOff = new TakeOffWatch();
   private final GoalReports reports;
   private final PlannerOrders orders = new PlannerOrders();
@@ -102,6 +106,14 @@ public class PathPlanner extends EventDrivenService {
             remarks::say,
             terrain,
             () -> survey.get().surveyClimb());
+    terrainLimits =
+        terrain.map(
+            map ->
+                new TerrainLimits(
+                    this,
+                    map,
+                    survey.get().terrain(),
+                    () -> avoidance.isOn() && seeing.get().verticalClearance() > 0.0));
     rightOfWay =
         new RightOfWayWatch(
             settings(RightOfWayVariables.class),
@@ -169,6 +181,10 @@ public class PathPlanner extends EventDrivenService {
     registerPublisher(Channels.NAVIGATION);
     registerPublisher(Channels.GOAL_REPORTS);
     registerPublisher(Channels.PLANS);
+    if (terrainLimits.isPresent()) {
+      registerPublisher(Channels.MISSION);
+      subscribe(Channels.MISSION, this::onMission);
+    }
     subscribe(Channels.GOALS, this::onGoals);
     subscribe(Channels.OBJECTS, this::onObjects);
     subscribe(Channels.GRID, grid -> avoidance.world().see(grid, clock().micros()));
@@ -243,12 +259,21 @@ public class PathPlanner extends EventDrivenService {
       return;
     }
     ground.heedGoals(list);
+    terrainLimits
+        .flatMap(limits -> limits.see(list))
+        .ifPresent(request -> publish(Channels.MISSION, request));
     if (orders.isHolding() != held) {
       log(list.paused() ? "mission paused" : "mission continues");
       changeHolding();
     }
     if (goal.isPresent() && reports.areOf(goal.get().uid())) {
       goal = Optional.empty(); // if listed again, it must be reached again
+    }
+  }
+
+  private void onMission(U2SAData message) {
+    if (message instanceof MissionReport mission) {
+      terrainLimits.ifPresent(limits -> limits.see(mission));
     }
   }
 
@@ -287,7 +312,9 @@ public class PathPlanner extends EventDrivenService {
   private void onState(StateInformation state) {
     stateMicros = clock().micros();
     if (Vehicle.of(state).isPresent()) {
-      avoidance.see(Vehicle.of(state).get(), state);
+      Vehicle vehicle = Vehicle.of(state).get();
+      avoidance.see(vehicle, state);
+      terrainLimits.ifPresent(limits -> limits.see(vehicle.place()));
       plan(state, false);
     } else {
       remarks.complain(
@@ -519,6 +546,7 @@ public class PathPlanner extends EventDrivenService {
 
   private void show(PlannedPath path, StateInformation state) {
     state.timestamp().ifPresent(path::timestamp);
+    terrainLimits.ifPresent(limits -> limits.see(path));
     publish(Channels.PLANS, path);
   }
 

@@ -106,7 +106,9 @@ final class TakeOffState implements PlannerState {
     if (-downM > goal.verticalThreshold().orElse(accuracyM)) {
       return Plan.unless(stopsClimbing(vehicle, start.z()), points);
     }
-    String remark = String.format(Locale.ROOT, "in the air, %.1f m above it", downM);
+    String side = downM < 0.0 ? "below" : "above";
+    String remark =
+        String.format(Locale.ROOT, "in the air, %.1f m %s its altitude", Math.abs(downM), side);
     return new Plan(points, Plan.Progress.COMPLETED, remark);
   }
 

@@ -57,6 +57,8 @@ class FlightGoalsTest extends FlownGoals {
     }
 
     assertThat(ned.z()).isBetween(-18.6, -17.9);
+    assertThat(kit.log("PathPlanner"))
+        .anyMatch(line -> line.matches(".*in the air, [12]\\.\\d m below its altitude.*"));
   }
 
   @Test

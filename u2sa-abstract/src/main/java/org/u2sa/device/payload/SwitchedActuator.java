@@ -65,6 +65,7 @@ public final class SwitchedActuator extends PeriodicService implements ActuatorO
   private final DeviceReader<SwitchOutput.Level> reader;
   private OptionalDouble level = OptionalDouble.empty(); // set last [%]
   private boolean isRefusalTold;
+  private boolean hasFired; // by the command that lasts
 
   public SwitchedActuator(ServiceContext context) {
     this(context, Optional.empty());
@@ -134,7 +135,10 @@ public final class SwitchedActuator extends PeriodicService implements ActuatorO
     boolean mayFire = commands.isArmed() && commands.mayMove() && output.isConnected();
     boolean fires = interlock.fires(kind, mayFire, nowMicros);
     set(fires ? wanted : positions.first());
-    boolean isRefused = kind == ReleaseInterlock.Wanted.RELEASE && !fires && interlock.isLocked();
+    boolean isReleasing = kind == ReleaseInterlock.Wanted.RELEASE;
+    hasFired =
+        isReleasing && mayFire && (hasFired || fires); // FIRE TIME may end before the command
+    boolean isRefused = isReleasing && !fires && interlock.isLocked() && !hasFired;
     if (isRefused && !isRefusalTold) {
       log(
           LogLevelEnum.WARN,

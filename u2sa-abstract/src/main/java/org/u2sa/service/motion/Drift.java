@@ -1,5 +1,11 @@
 package org.u2sa.service.motion;
 
+import java.util.Optional;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Attitude;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+
 /**
  * Velocity over ground of a vehicle without lateral thrust due to wind and current. Immutable.
  *
@@ -11,6 +17,34 @@ public record Drift(double northMps, double eastMps) {
 
   private static final double SLOWEST_MPS = 0.3; // through the water
   private static final double MAX_RAD = Math.toRadians(50.0);
+
+  /**
+   * Velocity over ground minus velocity through air or water; empty if a state lacks one of them,
+   * or the heading.
+   */
+  public static Optional<Drift> measured(StateInformation state) {
+    boolean isKnown =
+        state.fluidxDot().isPresent()
+            && state.psi().isPresent()
+            && state.xDot().isPresent()
+            && state.yDot().isPresent();
+    if (!isKnown || state.referenceFrame().isBody()) {
+      return Optional.empty();
+    }
+    boolean isEarth = state.referenceFrame().isEarth();
+    StateInformation own = isEarth ? state : state.in(ReferenceFrame.LOCAL_NED);
+    Attitude attitude =
+        new Attitude(own.phi().orElse(0.0), own.theta().orElse(0.0), own.psi().orElseThrow());
+    Point through =
+        attitude.nedOf(
+            Point.of(
+                own.fluidxDot().orElseThrow(),
+                own.fluidyDot().orElse(0.0),
+                own.fluidzDot().orElse(0.0)));
+    double x = own.xDot().orElseThrow();
+    double y = own.yDot().orElseThrow();
+    return Optional.of(new Drift((isEarth ? y : x) - through.x(), (isEarth ? x : y) - through.y()));
+  }
 
   public double speedMps() {
     return Math.hypot(northMps, eastMps);

@@ -12,6 +12,7 @@ import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.FenceState;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.handover.HandOver;
+import org.u2sa.service.motion.Drift;
 
 /**
  * Checks that the vehicle can still stop or turn round inside the fence, if any. The floor applies
@@ -220,7 +221,9 @@ final class FenceWatch implements Watch {
   }
 
   private Optional<String> trouble(StateInformation state) {
-    Manoeuvre manoeuvre = Manoeuvre.of(settings.get(), Hazard.FENCE.action(matrix));
+    double driftMps = Drift.measured(state).map(Drift::speedMps).orElse(0.0);
+    Manoeuvre manoeuvre =
+        Manoeuvre.of(settings.get(), Hazard.FENCE.action(matrix)).driftingAt(driftMps);
     Point place = fence.place(state);
     Point velocity = fence.velocity(state);
     if (!allows(manoeuvre, place, velocity)) {
@@ -258,10 +261,9 @@ final class FenceWatch implements Watch {
       return "outside";
     }
     double speed = Math.hypot(velocity.x(), velocity.y());
-    double straight = speed * manoeuvre.reactionS();
     return manoeuvre.turns()
         ? "too near to turn with a radius of " + CauseText.metres(manoeuvre.turnRadiusM(speed))
-        : "too near to stop within " + CauseText.metres(straight + manoeuvre.stoppingM(speed));
+        : "too near to stop within " + CauseText.metres(manoeuvre.wayToStopM(speed));
   }
 
   private Optional<String> vertical(double altitudeM, double overshootM) {

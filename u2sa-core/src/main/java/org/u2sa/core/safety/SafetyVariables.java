@@ -112,8 +112,14 @@ record SafetyVariables(
         @Description(
             "The planner's LOITER RADIUS: if ON FENCE is HOLD, the vehicle acts while there is still room for this circle.")
         double holdRadius,
-    @Variable(unit = "m/s", min = 0, ifAbsent = 0) @Description("Wind allowance towards the fence.")
+    @Variable(unit = "m/s", min = 0, ifAbsent = 0)
+        @Description(
+            "Speed at which wind, or wind and current, may carry the vehicle over the fence. With FENCE MANOEUVRE = BRAKE, 0 for vehicles that hold wherever they stop.")
         double windAllowance,
+    @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 5)
+        @Description(
+            "With FENCE MANOEUVRE = BRAKE and a WIND ALLOWANCE: time after braking until the vehicle holds against wind and current, such as that of a boat for turning its bow.")
+        double driftTime,
     @Variable(unit = "m/s^2", min = 0.01, ifAbsent = 0.8)
         @Description(
             "Vertical acceleration for levelling off below the ceiling or above the floor.")

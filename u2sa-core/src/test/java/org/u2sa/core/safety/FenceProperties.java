@@ -53,7 +53,7 @@ class FenceProperties {
       @ForAll @DoubleRange(min = 0.0, max = 60.0) double speed,
       @ForAll boolean turns) {
     SplittableRandom random = new SplittableRandom(seed);
-    Manoeuvre promised = new Manoeuvre(turns, 2.0, 1.5, 0.5, 20.0, 4.0, 1.0);
+    Manoeuvre promised = new Manoeuvre(turns, 2.0, 1.5, 0.5, 20.0, 4.0, 1.0, 5.0);
     double reachM = promised.reachM(speed);
     Fence fence = fence(random, 3.0 * reachM + 1.0);
     Point place =
@@ -77,7 +77,8 @@ class FenceProperties {
       @ForAll @DoubleRange(min = 0.0, max = 8.0) double wind) {
     SplittableRandom random = new SplittableRandom(seed);
     double reaction = 3.0;
-    Manoeuvre promised = new Manoeuvre(true, reaction + 2.0 * STEP_S, 1.0, bank, 0.0, wind, 1.0);
+    Manoeuvre promised =
+        new Manoeuvre(true, reaction + 2.0 * STEP_S, 1.0, bank, 0.0, wind, 1.0, 5.0);
     Fence fence =
         fence(
             random,
@@ -121,7 +122,8 @@ class FenceProperties {
       @ForAll @DoubleRange(min = 0.2, max = 5.0) double braking) {
     SplittableRandom random = new SplittableRandom(seed);
     double reaction = 1.0;
-    Manoeuvre promised = new Manoeuvre(false, reaction + 2.0 * STEP_S, braking, 0.4, 0.0, 0.0, 1.0);
+    Manoeuvre promised =
+        new Manoeuvre(false, reaction + 2.0 * STEP_S, braking, 0.4, 0.0, 0.0, 1.0, 5.0);
     Fence fence = fence(random, 6.0 * (promised.stoppingM(speed) + 2.0 * speed));
     Point velocity = velocity(speed, 2.0 * Math.PI * random.nextDouble());
     double way = 0.0;
@@ -140,5 +142,52 @@ class FenceProperties {
       way += (before + now) / 2.0 * STEP_S;
     }
     assertThat(now).as("it came to the fence").isZero();
+  }
+
+  /**
+   * The drift acts aside while it brakes, and in full until it holds; not back where it came from.
+   */
+  @Property(tries = 300)
+  void drifter_onceItIsTooNear_holdsInside(
+      @ForAll @LongRange(min = 0, max = 1_000_000) long seed,
+      @ForAll @DoubleRange(min = 0.0, max = 1.0) double wind,
+      @ForAll @DoubleRange(min = 1.0, max = 5.0) double speed,
+      @ForAll @DoubleRange(min = 0.2, max = 2.0) double braking) {
+    SplittableRandom random = new SplittableRandom(seed);
+    double reaction = 1.0;
+    double held = 6.0;
+    Manoeuvre promised =
+        new Manoeuvre(false, reaction + 2.0 * STEP_S, braking, 0.4, 0.0, wind, 1.0, held);
+    Fence fence = fence(random, 6.0 * (promised.wayToStopM(speed) + 2.0 * speed));
+    double course = 2.0 * Math.PI * random.nextDouble();
+    double windTo = course + Math.PI * (random.nextDouble() - 0.5);
+    double aside = wind * Math.sin(windTo - course);
+    double east = 0.0;
+    double north = 0.0;
+    double ahead = speed;
+    double triggered = Double.NaN;
+    double stands = 0.0;
+    for (double t = 0.0; t < LONGEST_S && stands < held - STEP_S; t += STEP_S) {
+      Point here = Point.of(east, north, 0.0);
+      assertThat(fence.allows(here)).as("inside at %s s", t).isTrue();
+      Point over = velocity(ahead, course);
+      if (Double.isNaN(triggered) && !fence.allows(promised.region(here, over))) {
+        triggered = t;
+      }
+      boolean brakes = t - triggered >= reaction - 1e-6; // false for NaN
+      double before = ahead;
+      if (brakes) {
+        ahead = Math.max(0.0, ahead - braking * STEP_S);
+      }
+      double onward = (before + ahead) / 2.0;
+      double sideways = brakes ? aside : 0.0;
+      if (before == 0.0) {
+        onward = wind * Math.cos(windTo - course);
+        stands += STEP_S;
+      }
+      east += (onward * Math.sin(course) + sideways * Math.cos(course)) * STEP_S;
+      north += (onward * Math.cos(course) - sideways * Math.sin(course)) * STEP_S;
+    }
+    assertThat(stands).as("it came to the fence").isGreaterThanOrEqualTo(held - STEP_S);
   }
 }

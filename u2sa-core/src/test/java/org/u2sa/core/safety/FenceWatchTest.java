@@ -103,6 +103,38 @@ class FenceWatchTest {
     assertThat(seeing(at(76.01, 0.0).xDot(8.0)).objection(0)).as("armed on its way").isEmpty();
   }
 
+  /**
+   * At 8 m/s: 24 m to stop, and 0.5 m/s of drift in 4 s of braking and 6 s more. Without an
+   * allowance the way is that of still water.
+   */
+  @Test
+  void trouble_driftingVehicleWithWindAllowance_isEarlierByItsDrift() {
+    variables.put("WIND ALLOWANCE", 0.5);
+    variables.put("DRIFT TIME", 6.0);
+
+    assertThat(seeing(at(70.9, 0.0).xDot(8.0)).trouble(0)).isEmpty();
+    assertThat(seeing(at(71.01, 0.0).xDot(8.0)).trouble(0))
+        .contains("too near to stop within 29 m");
+    assertThat(seeing(at(0.0, 95.5).xDot(8.0)).trouble(0)).as("drift aside").isPresent();
+    assertThat(seeing(at(0.0, 99.9).yDot(-8.0)).trouble(0)).as("it leaves the fence").isEmpty();
+    assertThat(seeing(at(99.9, 0.0).xDot(0.05)).trouble(0)).as("it stands").isEmpty();
+  }
+
+  /** Eastward at 8 m/s over ground, of which 7 m/s through the water. */
+  @Test
+  void trouble_driftsFasterThanTheAllowance_countsWhatTheStateShows() {
+    variables.put("WIND ALLOWANCE", 0.5);
+    variables.put("DRIFT TIME", 6.0);
+    StateInformation near = at(70.9, 0.0).xDot(8.0).yDot(0.0).psi(0.0);
+
+    assertThat(seeing(near.copy().fluidxDot(7.6)).trouble(0)).as("0.4 m/s").isEmpty();
+    assertThat(seeing(near.copy().fluidxDot(7.0)).trouble(0))
+        .contains("too near to stop within 34 m");
+
+    variables.put("WIND ALLOWANCE", 0.0);
+    assertThat(seeing(near.copy().fluidxDot(7.0)).trouble(0)).as("holds at once").isEmpty();
+  }
+
   /** Beyond them the region had no coordinates, and nothing was outside. */
   @ParameterizedTest
   @CsvSource({

@@ -24,7 +24,7 @@ class ManoeuvreTest {
   }
 
   private static Manoeuvre turn(double leastRadiusM, double windMps) {
-    return new Manoeuvre(true, 1.0, 1.0, BANK_OF_ONE_G, leastRadiusM, windMps, 0.5);
+    return new Manoeuvre(true, 1.0, 1.0, BANK_OF_ONE_G, leastRadiusM, windMps, 0.5, 5.0);
   }
 
   private static SafetyVariables settings(Map<String, ?> values) {
@@ -41,18 +41,19 @@ class ManoeuvreTest {
             "TURN BANK", 0.5,
             "HOLD RADIUS", 70.0,
             "WIND ALLOWANCE", 4.0,
-            "VERTICAL ACCELERATION", 0.6);
+            "VERTICAL ACCELERATION", 0.6,
+            "DRIFT TIME", 7.0);
 
     assertThat(Manoeuvre.of(settings(values), FailsafeAction.HOLD))
-        .isEqualTo(new Manoeuvre(true, 2.0, 3.0, 0.5, 70.0, 4.0, 0.6));
+        .isEqualTo(new Manoeuvre(true, 2.0, 3.0, 0.5, 70.0, 4.0, 0.6, 7.0));
     assertThat(Manoeuvre.of(settings(Map.of("HOLD RADIUS", 70.0)), FailsafeAction.RETURN))
         .as("returns instead of circling")
-        .isEqualTo(new Manoeuvre(false, 1.0, 1.0, 0.4, 0.0, 0.0, 0.8));
+        .isEqualTo(new Manoeuvre(false, 1.0, 1.0, 0.4, 0.0, 0.0, 0.8, 5.0));
   }
 
   @Test
   void stopping_tenMetresPerSecond_isHalfItsSquareByTheDeceleration() {
-    assertThat(new Manoeuvre(false, 0.0, 2.0, 0.4, 0.0, 0.0, 1.0).stoppingM(10.0))
+    assertThat(new Manoeuvre(false, 0.0, 2.0, 0.4, 0.0, 0.0, 1.0, 5.0).stoppingM(10.0))
         .isCloseTo(25.0, NEAR);
   }
 
@@ -89,7 +90,7 @@ class ManoeuvreTest {
   /** 5 m/s to the east-north-east (4, 3): 5 m of reaction and 12.5 m of braking. */
   @Test
   void region_brakes_isTheLineToWhereItStands() {
-    Manoeuvre brake = new Manoeuvre(false, 1.0, 1.0, 0.4, 0.0, 0.0, 1.0);
+    Manoeuvre brake = new Manoeuvre(false, 1.0, 1.0, 0.4, 0.0, 0.0, 1.0, 5.0);
     Geometry region = brake.region(Point.of(100.0, 200.0, 0.0), Point.of(4.0, 3.0, 0.0));
 
     assertThat(region.getLength()).isCloseTo(17.5, NEAR);
@@ -120,7 +121,7 @@ class ManoeuvreTest {
   /** Half a g sideways, by a bank whose tangent is 0.5. */
   @Test
   void turnRadius_ofAFlatterBank_isWider() {
-    Manoeuvre flat = new Manoeuvre(true, 1.0, 1.0, Math.atan(0.5), 0.0, 0.0, 1.0);
+    Manoeuvre flat = new Manoeuvre(true, 1.0, 1.0, Math.atan(0.5), 0.0, 0.0, 1.0, 5.0);
 
     assertThat(flat.turnRadiusM(9.80665)).isCloseTo(2.0 * 9.80665, NEAR);
   }
@@ -128,7 +129,7 @@ class ManoeuvreTest {
   /** Three seconds straight on, then v²/2a with 2 m/s². */
   @Test
   void overshoot_slowToReact_isTheWayOfBothParts() {
-    Manoeuvre slow = new Manoeuvre(true, 3.0, 1.0, 0.4, 0.0, 0.0, 2.0);
+    Manoeuvre slow = new Manoeuvre(true, 3.0, 1.0, 0.4, 0.0, 0.0, 2.0, 5.0);
 
     assertThat(slow.overshootM(4.0)).isCloseTo(12.0 + 4.0, NEAR);
     assertThat(slow.overshootM(-4.0)).isCloseTo(-12.0 - 4.0, NEAR);
@@ -136,7 +137,7 @@ class ManoeuvreTest {
 
   @Test
   void region_atTheSlowestSpeedThatCounts_isALine() {
-    Manoeuvre brake = new Manoeuvre(false, 2.0, 1.0, 0.4, 0.0, 0.0, 1.0);
+    Manoeuvre brake = new Manoeuvre(false, 2.0, 1.0, 0.4, 0.0, 0.0, 1.0, 5.0);
 
     assertThat(brake.region(Point.of(0.0, 0.0, 0.0), Point.of(0.1, 0.0, 0.0)).getLength())
         .isCloseTo(0.2 + 0.005, NEAR);
@@ -147,7 +148,7 @@ class ManoeuvreTest {
   /** Eastward, to the north and on any course between: the same form, turned. */
   @Test
   void region_turnsOnAnyCourse_isTheSameFormTurned() {
-    Manoeuvre windy = new Manoeuvre(true, 2.0, 1.0, 0.4, 0.0, 2.0, 1.0);
+    Manoeuvre windy = new Manoeuvre(true, 2.0, 1.0, 0.4, 0.0, 2.0, 1.0, 5.0);
     Geometry east = windy.region(Point.of(50.0, 60.0, 0.0), Point.of(10.0, 0.0, 0.0));
 
     for (double course : new double[] {0.3, 1.0, Math.PI / 2.0, 2.5, 4.0, 6.0}) {
@@ -177,5 +178,42 @@ class ManoeuvreTest {
     assertThat(covers(region, speed - drift - 1.0, aside)).isFalse();
     assertThat(covers(region, speed, 1.05 * aside)).isFalse();
     assertThat(covers(region, speed, -1.05 * aside)).isFalse();
+  }
+
+  /**
+   * At 4 m/s: 4 m of reaction, 8 m of braking in 4 s, and 0.5 m/s of drift in these and 6 s more.
+   */
+  @Test
+  void region_brakesWithWindAllowance_reachesOnByTheDriftAheadAndAside() {
+    Manoeuvre brake = new Manoeuvre(false, 1.0, 1.0, 0.4, 0.0, 0.5, 1.0, 6.0);
+    Geometry region = brake.region(Point.of(0.0, 0.0, 0.0), Point.of(0.0, 4.0, 0.0));
+
+    assertThat(brake.driftM(4.0)).isCloseTo(5.0, NEAR);
+    assertThat(brake.wayToStopM(4.0)).isCloseTo(17.0, NEAR);
+    assertThat(covers(region, 0.0, 17.0)).isTrue();
+    assertThat(covers(region, 0.0, 17.1)).isFalse();
+    assertThat(covers(region, 5.0, 12.0)).isTrue();
+    assertThat(covers(region, -5.0, 12.0)).isTrue();
+    assertThat(covers(region, 5.1, 12.0)).isFalse();
+    assertThat(covers(region, 0.0, -0.01)).as("behind").isFalse();
+  }
+
+  /** What holds against a drift of 0.5 m/s moves no faster than 0.2 m/s, whatever carries it. */
+  @Test
+  void drift_movesMoreSlowlyThanTheAllowance_isThatOfItsSpeed() {
+    assertThat(new Manoeuvre(false, 1.0, 1.0, 0.4, 0.0, 0.5, 1.0, 6.0).driftM(0.2))
+        .isCloseTo(0.2 * 6.2, NEAR);
+  }
+
+  @Test
+  void driftingAt_fasterThanTheAllowance_countsOnlyForWhatBrakesAndHasAnAllowance() {
+    Manoeuvre brake = new Manoeuvre(false, 1.0, 1.0, 0.4, 0.0, 0.5, 1.0, 6.0);
+    Manoeuvre holds = new Manoeuvre(false, 1.0, 1.0, 0.4, 0.0, 0.0, 1.0, 6.0);
+
+    assertThat(brake.driftingAt(0.8))
+        .isEqualTo(new Manoeuvre(false, 1.0, 1.0, 0.4, 0.0, 0.8, 1.0, 6.0));
+    assertThat(brake.driftingAt(0.3)).isEqualTo(brake);
+    assertThat(holds.driftingAt(9.0)).isEqualTo(holds);
+    assertThat(turn(0.0, 2.0).driftingAt(9.0)).isEqualTo(turn(0.0, 2.0));
   }
 }

@@ -118,6 +118,37 @@ class SwitchedActuatorTest {
     assertThat(level()).as("locked again").isZero();
   }
 
+  private long refusals() {
+    return kit.log("HOOK").stream().filter(line -> line.contains("stays locked")).count();
+  }
+
+  /** A planner goes on commanding the release for a while after it has fired. */
+  @Test
+  void release_commandLastsLongerThanItFires_isNoRefusal() {
+    kit.with("FIRE TIME", 0.5).with("SERVICE NAME", "HOOK");
+    start(SwitchKind.RELEASE);
+    arm(true);
+    command(0.0, 0.2);
+    command(100.0, 3.0);
+    assertThat(refusals()).isZero();
+
+    kit.advance(1.0); // the command expires
+    command(100.0, 3.0);
+    assertThat(refusals()).as("without the safe position first").isOne();
+  }
+
+  @Test
+  void release_disarmedWhileItFires_isARefusal() {
+    kit.with("FIRE TIME", 60.0).with("SERVICE NAME", "HOOK");
+    start(SwitchKind.RELEASE);
+    arm(true);
+    command(0.0, 0.2);
+    command(100.0, 1.5);
+    arm(false);
+    command(100.0, 0.5);
+    assertThat(refusals()).isOne();
+  }
+
   @Test
   void release_notArmed_staysLockedWhateverRequiresArmingSays() {
     kit.with("REQUIRES ARMING", false);

@@ -15,6 +15,7 @@ import java.util.TreeMap;
 import java.util.function.Function;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
 
 /**
  * Altitudes of the ground on a grid of longitudes and latitudes (WGS 84), read from an Esri ASCII
@@ -181,5 +182,24 @@ public final class HeightGrid {
             + down
                 * ((1.0 - right) * altitudes[at + columns] + right * altitudes[at + columns + 1]);
     return Double.isNaN(altitude) ? OptionalDouble.empty() : OptionalDouble.of(altitude);
+  }
+
+  /** Distance from a place to the grid [m]; 0 on it, also where no height is known. */
+  public double outsideM(Geodetic place) {
+    double full = FULL_TURN_DEG / cellDeg;
+    double eastDeg = (place.longitudeDeg() - westDeg) % FULL_TURN_DEG;
+    double x = (eastDeg < 0.0 ? eastDeg + FULL_TURN_DEG : eastDeg) / cellDeg;
+    double east = x - (columns - 1.0);
+    double west = full - x;
+    double aside = east <= 0.0 ? 0.0 : east < west ? -east : west;
+    double y = rows - 1.0 - (place.latitudeDeg() - southDeg) / cellDeg;
+    double up = Math.max(0.0, Math.min(rows - 1.0, y)) - y;
+    Geodetic edge =
+        new Geodetic(
+            place.longitudeDeg() + aside * cellDeg,
+            place.latitudeDeg() - up * cellDeg,
+            place.altitudeM());
+    Point ned = place.nedOf(edge);
+    return Math.hypot(ned.x(), ned.y());
   }
 }

@@ -51,6 +51,25 @@ class HeightGridTest {
     assertThat(grid.altitudeM(new Geodetic(0.0, 50.0, 0.0))).isEmpty();
   }
 
+  /** A thousandth of a degree is 71.7 m from west to east, and 111.2 m from south to north. */
+  @ParameterizedTest
+  @CsvSource({
+    "10.0015, 50.0005, 0.0",
+    "10.003, 50.0005, 71.7",
+    "9.999, 50.0005, 71.7",
+    "10.001, 50.002, 111.2",
+    "10.001, 49.998, 222.5",
+    "10.003, 50.002, 132.3",
+    "-349.997, 50.0005, 71.7",
+  })
+  void outsideM_anyPlace_isTheDistanceToTheNearestHeight(
+      double longitudeDeg, double latitudeDeg, double metres) throws IOException {
+    HeightGrid grid = grid(HEAD + "10 20 30\n14 24 -99\n");
+
+    assertThat(grid.outsideM(new Geodetic(longitudeDeg, latitudeDeg, 0.0)))
+        .isCloseTo(metres, Offset.offset(0.1));
+  }
+
   @Test
   void altitudeM_outsideOrUnknown_isEmpty() throws IOException {
     HeightGrid grid = grid(HEAD + "10 20 30\n14 24 -99\n");

@@ -29,5 +29,5 @@ public record SurveyVariables(
         double surveyClimb,
     @Variable(ifAbsentText = "")
         @Description(
-            "Height map of the ground, an Esri ASCII grid in degrees; without it search areas are level, and routes ignore the ground.")
+            "Height map of the ground, an Esri ASCII grid in degrees; without it, and outside it, search areas are level, and routes ignore the ground.")
         String terrain) {}

@@ -35,7 +35,7 @@ public final class GridModeller implements Modeller {
           double missLogOdds,
       @Variable(unit = "m", ifAbsent = -0.1)
           @Description(
-              "Height relative to the vehicle's reference point below which an echo counts as ground.")
+              "Height relative to the vehicle's reference point below which an echo counts as ground. Multirotors need less: they lean.")
           double lowest,
       @Variable(unit = "m", ifAbsent = 2)
           @Description(
