@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.mavlink.MavlinkSigning;
@@ -25,12 +26,15 @@ public final class SigningKeys {
    *
    * @param file its first line is the passphrase
    * @param unixMicros wall clock [µs since 1970]
+   * @param warnings receives a line when a packet with the right signature is too old
    * @throws BadInputException if there is no passphrase
    */
-  synchronized MavlinkSigning of(String systemId, Path file, LongSupplier unixMicros) {
+  synchronized MavlinkSigning of(
+      String systemId, Path file, LongSupplier unixMicros, Consumer<String> warnings) {
     String passphrase = passphrase(file);
     return known.computeIfAbsent(
-        new VehicleKey(systemId, passphrase), key -> new MavlinkSigning(passphrase, unixMicros));
+        new VehicleKey(systemId, passphrase),
+        key -> new MavlinkSigning(passphrase, unixMicros, warnings));
   }
 
   private static String passphrase(Path file) {

@@ -25,6 +25,7 @@ class SigningKeysTest {
   private final AtomicLong clock = new AtomicLong(1_800_000_000_000_000L);
   private final SigningKeys keys = new SigningKeys();
   private final List<Object> heard = new ArrayList<>();
+  private final List<String> warnings = new ArrayList<>();
   private byte[] packet;
 
   @BeforeEach
@@ -38,7 +39,7 @@ class SigningKeysTest {
 
   /** A link of a vehicle. */
   private MavlinkStream link(String systemId, String file) {
-    MavlinkSigning signing = keys.of(systemId, folder.resolve(file), clock::get);
+    MavlinkSigning signing = keys.of(systemId, folder.resolve(file), clock::get, warnings::add);
     return new MavlinkStream(1, 1, Optional.of(signing.link()));
   }
 
@@ -56,6 +57,21 @@ class SigningKeysTest {
   }
 
   @Test
+  void of_packetRecordedBeforeTheStart_isRefusedAndSaid() {
+    clock.addAndGet(20_000_000);
+    MavlinkStream restarted = link("boat", "key");
+    clock.addAndGet(500_000);
+    assertThat(heardBy(restarted)).isZero();
+    assertThat(heardBy(restarted)).isZero();
+    assertThat(warnings)
+        .singleElement()
+        .asString()
+        .startsWith(
+            "MAVLink system 255, component 190 is refused: its packet was signed 20.5 s ago")
+        .contains("expected at most 0.5 s");
+  }
+
+  @Test
   void of_otherVehicle_keepsItsOwnRecord() {
     assertThat(heardBy(link("boat", "key"))).isEqualTo(1);
     assertThat(heardBy(link("rover", "key"))).isEqualTo(1);
@@ -64,7 +80,7 @@ class SigningKeysTest {
   @Test
   void of_fileWithoutPassphrase_isNamed() throws IOException {
     Path empty = Files.writeString(folder.resolve("empty"), "\nsecret\n");
-    assertThatThrownBy(() -> keys.of("boat", empty, clock::get))
+    assertThatThrownBy(() -> keys.of("boat", empty, clock::get, warnings::add))
         .isInstanceOf(BadInputException.class)
         .hasMessageContaining(empty + ": expected the MAVLink passphrase in line 1");
   }
