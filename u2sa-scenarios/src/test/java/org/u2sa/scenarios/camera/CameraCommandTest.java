@@ -105,6 +105,17 @@ class CameraCommandTest {
   }
 
   @Test
+  void look_pictureOfOneColour_saysThatNothingIsSeen() throws IOException {
+    Path file = saved(new BufferedImage(320, 240, BufferedImage.TYPE_INT_RGB), "plain.png");
+    Path seen = folder.resolve("seen");
+    int code = u2sa("camera", "look", file.toString(), "--height", "1.1", "--out", seen.toString());
+    assertThat(err.toString()).isEmpty();
+    assertThat(code).isEqualTo(ExitCode.DONE);
+    assertThat(out.toString()).contains("nothing seen");
+    assertThat(seen.resolve("plain-seen.png")).exists();
+  }
+
+  @Test
   void look_cameraOnTheGround_isRefused() throws IOException {
     Path file = saved(lawn(), "lawn.png");
     assertThat(u2sa("camera", "look", file.toString())).isEqualTo(ExitCode.BAD_INPUT);
