@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.interfaces.DecodingLimit;
 import org.u2sa.testkit.ProgressiveJpeg;
 
 /** What is known of an image's decoding before it begins. */

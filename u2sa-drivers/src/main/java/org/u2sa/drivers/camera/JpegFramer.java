@@ -3,8 +3,8 @@ package org.u2sa.drivers.camera;
 import java.util.Arrays;
 import java.util.Optional;
 import org.u2sa.device.port.CameraFrame;
-import org.u2sa.device.port.DecodingLimit;
 import org.u2sa.drivers.link.ByteParser;
+import org.u2sa.interfaces.DecodingLimit;
 
 /**
  * Extracts JPEG files from a byte stream by parsing segment lengths, so that thumbnails in a header

@@ -11,7 +11,7 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import javax.imageio.stream.MemoryCacheImageInputStream;
-import org.u2sa.device.port.DecodingLimit;
+import org.u2sa.interfaces.DecodingLimit;
 import org.u2sa.messages.CameraImage;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;

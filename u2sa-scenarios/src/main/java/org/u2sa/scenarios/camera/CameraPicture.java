@@ -13,8 +13,8 @@ import javax.imageio.stream.ImageInputStream;
 import org.u2sa.device.port.CameraFrame;
 import org.u2sa.device.port.CameraFrame.Intrinsics;
 import org.u2sa.device.port.CameraFrame.PixelFormat;
-import org.u2sa.device.port.DecodingLimit;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.DecodingLimit;
 import org.u2sa.interfaces.disk.RegularFile;
 
 /** Reads images from files as camera frames. */

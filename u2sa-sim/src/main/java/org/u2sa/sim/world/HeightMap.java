@@ -10,8 +10,8 @@ import java.util.Optional;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
-import org.u2sa.device.port.DecodingLimit;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.DecodingLimit;
 import org.u2sa.sim.motion.Arguments;
 
 /**

@@ -1,4 +1,4 @@
-package org.u2sa.device.port;
+package org.u2sa.interfaces;
 
 import java.io.IOException;
 import java.util.Optional;
