@@ -5,6 +5,8 @@ import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.Arrays;
+import java.util.Locale;
+import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 
 /**
@@ -15,6 +17,7 @@ import java.util.function.LongSupplier;
 public final class MavlinkSigning {
   private static final long EPOCH_MICROS = 1_420_070_400_000_000L; // 2015-01-01 UTC
   private static final long TICK_MICROS = 10;
+  private static final double TICKS_PER_S = 100_000.0;
   private static final long LATEST = (1L << 48) - (1L << 40); // later ones are not followed
   private static final int LINK_ID = 0;
   private static final int BYTE = 8;
@@ -28,25 +31,41 @@ public final class MavlinkSigning {
   private final byte[] key;
   private final LongSupplier unixMicros;
   private final SignedStreams streams;
+  private final Consumer<String> warnings;
   private long newest; // newest timestamp of this link, received or sent [10 µs since 2015]
 
-  /**
-   * @param passphrase shared with the stations, which hash it the same way
-   * @param unixMicros wall clock [µs since 1970]
-   */
+  /** As the other constructor, without warnings. */
   public MavlinkSigning(String passphrase, LongSupplier unixMicros) {
-    this(sha256(passphrase.getBytes(StandardCharsets.UTF_8)), unixMicros, new SignedStreams());
+    this(passphrase, unixMicros, warning -> {});
   }
 
-  private MavlinkSigning(byte[] key, LongSupplier unixMicros, SignedStreams streams) {
+  /**
+   * Packets that were signed before now are refused: an earlier run may have admitted them.
+   *
+   * @param passphrase shared with the stations, which hash it the same way
+   * @param unixMicros the process's clock [µs since 1970]
+   * @param warnings receives a line when a packet with the right signature is too old, at most once
+   *     a minute
+   */
+  public MavlinkSigning(String passphrase, LongSupplier unixMicros, Consumer<String> warnings) {
+    this(
+        sha256(passphrase.getBytes(StandardCharsets.UTF_8)),
+        unixMicros,
+        new SignedStreams(ticks(unixMicros.getAsLong())),
+        warnings);
+  }
+
+  private MavlinkSigning(
+      byte[] key, LongSupplier unixMicros, SignedStreams streams, Consumer<String> warnings) {
     this.key = key;
     this.unixMicros = unixMicros;
     this.streams = streams;
+    this.warnings = warnings;
   }
 
   /** Another link of the same system: a packet admitted by one is refused by the others. */
   public MavlinkSigning link() {
-    return new MavlinkSigning(key, unixMicros, streams);
+    return new MavlinkSigning(key, unixMicros, streams, warnings);
   }
 
   private static byte[] sha256(byte[] text) {
@@ -77,7 +96,11 @@ public final class MavlinkSigning {
   }
 
   private long wallTicks() {
-    return (unixMicros.getAsLong() - EPOCH_MICROS) / TICK_MICROS;
+    return ticks(unixMicros.getAsLong());
+  }
+
+  private static long ticks(long unixMicros) {
+    return (unixMicros - EPOCH_MICROS) / TICK_MICROS;
   }
 
   /** Reason to reject a frame; empty if admitted, after which its timestamp is used up. */
@@ -87,11 +110,26 @@ public final class MavlinkSigning {
       return wrong;
     }
     long time = time(frame);
-    String refusal = streams.refusal(stream(frame), time, wallTicks());
+    long now = wallTicks();
+    String refusal = streams.refusal(stream(frame), time, now);
     if (refusal.isEmpty()) {
       newest = Math.max(newest, Math.min(time, LATEST));
+    } else if (refusal.equals(SignedStreams.OUTDATED_STREAM) && streams.isWarningDue(now)) {
+      warnings.accept(warning(frame, streams.age(time, now), streams.maxAge(now)));
     }
     return refusal;
+  }
+
+  private static String warning(byte[] frame, long ageTicks, long allowedTicks) {
+    return String.format(
+        Locale.ROOT,
+        "MAVLink system %d, component %d is refused: its packet was signed %.1f s ago; expected"
+            + " at most %.1f s, a minute or the time since the start. It was recorded, or the"
+            + " station's clock is behind",
+        frame[SYSTEM] & 0xFF,
+        frame[SYSTEM + 1] & 0xFF,
+        ageTicks / TICKS_PER_S,
+        allowedTicks / TICKS_PER_S);
   }
 
   /** Whether a frame would be admitted; its timestamp is not used up. */

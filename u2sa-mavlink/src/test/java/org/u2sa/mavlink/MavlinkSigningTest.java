@@ -76,6 +76,26 @@ class MavlinkSigningTest {
   }
 
   @Test
+  void accept_newStreamOlderThanTheStart_isRefusedUntilTheStationIsInTime() {
+    AtomicLong behind = new AtomicLong(NOW_MICROS - 1_000_000);
+    MavlinkStream station = stream(255, "secret", behind);
+    assertThat(heard(ping(station))).isEmpty();
+    assertThat(vehicle.lastRefusal()).isEqualTo("Ping: outdated signature of a new stream");
+    clock.addAndGet(2_000_000);
+    behind.addAndGet(2_000_000);
+    assertThat(heard(ping(station))).hasSize(1);
+  }
+
+  /** As stations do: mavlink.io/en/guide/message_signing, "Timestamp Handling". */
+  @Test
+  void accept_stationBehindThatFollowsTheVehiclesTimestamps_isHeard() {
+    MavlinkStream station = stream(255, "secret", new AtomicLong(NOW_MICROS - 30_000_000));
+    byte[] heartbeat = ping(vehicle);
+    station.accept(heartbeat, heartbeat.length, received -> {});
+    assertThat(heard(ping(station))).hasSize(1);
+  }
+
+  @Test
   void accept_clockOfAStationDecadesAhead_othersAreStillHeard() {
     AtomicLong ahead = new AtomicLong(NOW_MICROS + 40L * 365 * 86_400 * 1_000_000);
     assertThat(heard(ping(stream(250, "secret", ahead)))).hasSize(1);

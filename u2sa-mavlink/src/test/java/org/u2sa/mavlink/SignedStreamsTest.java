@@ -9,7 +9,7 @@ class SignedStreamsTest {
   private static final long NOW = 1L << 45;
   private static final long MINUTE = 6_000_000;
 
-  private final SignedStreams streams = new SignedStreams();
+  private final SignedStreams streams = new SignedStreams(NOW);
 
   private String admit(int system, int link, long time, long now) {
     return streams.refusal(system << 16 | 190 << 8 | link, time, now);
@@ -25,6 +25,6 @@ class SignedStreamsTest {
     long later = NOW + MINUTE + 1;
     assertThat(admit(200, 64, later, later)).isEmpty();
     assertThat(admit(200, 1, NOW, later))
-        .isEqualTo("outdated signature"); // forgotten, not admitted
+        .isEqualTo("outdated signature of a new stream"); // forgotten, not admitted
   }
 }

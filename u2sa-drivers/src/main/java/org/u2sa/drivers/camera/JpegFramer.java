@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.Optional;
 import org.u2sa.device.port.CameraFrame;
 import org.u2sa.drivers.link.ByteParser;
+import org.u2sa.interfaces.DecodingLimit;
 
 /**
  * Extracts JPEG files from a byte stream by parsing segment lengths, so that thumbnails in a header
@@ -28,7 +29,7 @@ final class JpegFramer extends ByteParser<CameraFrame> {
   private static final int SIZE_END =
       9; // length of a frame header up to its width: marker, length, precision, height, width
 
-  private final long maxPixels;
+  private final DecodingLimit limit;
   private byte[] bytes = new byte[FIRST_ROOM_BYTES];
   private int length;
   private int segment; // start of the next segment; after START_OF_SCAN, start of the data
@@ -45,7 +46,7 @@ final class JpegFramer extends ByteParser<CameraFrame> {
    * @param heapBytes maximum heap: larger images than fit a decoder's share are refused
    */
   JpegFramer(long heapBytes) {
-    maxPixels = Math.min(MAX_PIXELS, heapBytes / BYTES_PER_PIXEL);
+    limit = new DecodingLimit(Math.min(MAX_PIXELS, heapBytes / BYTES_PER_PIXEL), MAX_SCANNED);
   }
 
   @Override
@@ -128,14 +129,9 @@ final class JpegFramer extends ByteParser<CameraFrame> {
     }
   }
 
-  /** Limits scans: a small progressive image may have a thousand, each of all pixels. */
   private void refuseIfSlow() {
-    long pixels = frameHeader == 0 ? 0L : (long) width() * height();
-    if (pixels > maxPixels || pixels * scans > MAX_SCANNED) {
-      drop(
-          String.format(
-              "an image of %d by %d pixels in %d scans; expected at most %d pixels, times scans at most %d",
-              width(), height(), scans, maxPixels, MAX_SCANNED));
+    if (frameHeader != 0) {
+      limit.problem(width(), height(), scans).ifPresent(this::drop);
     }
   }
 

@@ -66,7 +66,7 @@ public final class MavlinkBridge implements AutoCloseable {
             options.logs().map(RecordingFolder::new),
             link.clock()::micros);
     Optional<MavlinkSigning> signing =
-        options.key().map(file -> keys.of(link.systemId(), file, link.clock()::micros));
+        options.key().map(file -> keys.of(link.systemId(), file, link.clock()::micros, console));
     try {
       selector = Selector.open();
       stations = stations(options.place(), () -> new StationSession(vehicle, signing));

@@ -11,6 +11,7 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import javax.imageio.stream.MemoryCacheImageInputStream;
+import org.u2sa.interfaces.DecodingLimit;
 import org.u2sa.messages.CameraImage;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
@@ -25,9 +26,8 @@ import org.u2sa.messages.shape.ImageFootprint;
  */
 public final class SurveyMosaic {
   private static final int MAX_WAITING = 32; // images or footprints without the other
-  private static final long MAX_PIXELS = 25_000_000L; // of an image
-  private static final byte START_OF_SCAN = (byte) 0xDA;
-  private static final long MAX_SCANNED = 20L * MAX_PIXELS; // pixels times scans
+  private static final DecodingLimit LIMIT =
+      new DecodingLimit(25_000_000L, DecodingLimit.MAX_SCANNED_AT_LEISURE);
   private static final double MAX_AWAY_DEG = 1.0;
   private static final double MAX_ANGLE_RAD = Math.toRadians(60.0); // from the vertical
 
@@ -125,10 +125,8 @@ public final class SurveyMosaic {
       ImageReader reader = readers.next();
       try {
         reader.setInput(in, true, true);
-        long pixels = (long) reader.getWidth(0) * reader.getHeight(0);
-        if (pixels > MAX_PIXELS || pixels * scans(bytes) > MAX_SCANNED) {
-          throw new IOException("too large");
-        }
+        long scans = DecodingLimit.scans(new ByteArrayInputStream(bytes)::read);
+        LIMIT.require(reader.getWidth(0), reader.getHeight(0), scans);
         return reader.read(0);
       } catch (RuntimeException e) { // decoders throw these for damaged files
         throw new IOException("damaged", e);
@@ -136,19 +134,6 @@ public final class SurveyMosaic {
         reader.dispose();
       }
     }
-  }
-
-  /**
-   * Scans of a JPEG: a small progressive image may have thousands, each of all pixels. Compressed
-   * data contain no such marker (ITU-T T.81, B.1.1.5).
-   */
-  private static int scans(byte[] bytes) {
-    boolean isJpeg = bytes.length > 2 && bytes[0] == (byte) 0xFF && bytes[1] == (byte) 0xD8;
-    int scans = 1;
-    for (int i = 3; isJpeg && i < bytes.length; i++) {
-      scans += bytes[i - 1] == (byte) 0xFF && bytes[i] == START_OF_SCAN ? 1 : 0;
-    }
-    return scans;
   }
 
   public MosaicGrid grid() {

@@ -10,15 +10,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
-import javax.imageio.ImageWriteParam;
-import javax.imageio.ImageWriter;
 import javax.imageio.plugins.tiff.GeoTIFFTagSet;
 import javax.imageio.plugins.tiff.TIFFDirectory;
 import javax.imageio.stream.ImageInputStream;
-import javax.imageio.stream.ImageOutputStream;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -34,6 +30,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.frame.Rotation;
 import org.u2sa.messages.frame.UtmGrid;
 import org.u2sa.messages.shape.ImageFootprint;
+import org.u2sa.testkit.ProgressiveJpeg;
 
 /** Images of a chessboard on the ground, by a pinhole camera 40 m above it. */
 class SurveyMosaicTest {
@@ -140,31 +137,9 @@ class SurveyMosaicTest {
     assertThat(mosaic.used()).isEqualTo(1);
   }
 
-  /** A progressive JPEG whose last scan is repeated. */
   private static byte[] progressive(int repetitions) throws IOException {
-    ImageWriter writer = ImageIO.getImageWritersByFormatName("jpeg").next();
-    ImageWriteParam way = writer.getDefaultWriteParam();
-    way.setProgressiveMode(ImageWriteParam.MODE_DEFAULT);
-    ByteArrayOutputStream file = new ByteArrayOutputStream();
-    try (ImageOutputStream out = ImageIO.createImageOutputStream(file)) {
-      writer.setOutput(out);
-      BufferedImage image = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
-      writer.write(null, new IIOImage(image, null, null), way);
-    }
-    writer.dispose();
-    byte[] whole = file.toByteArray();
-    int end = whole.length - 2; // of the last scan
-    int scan = end - 1;
-    while (whole[scan] != (byte) 0xFF || whole[scan + 1] != (byte) 0xDA) {
-      scan--;
-    }
-    ByteArrayOutputStream longer = new ByteArrayOutputStream();
-    longer.write(whole, 0, end);
-    for (int i = 0; i < repetitions; i++) {
-      longer.write(whole, scan, end - scan);
-    }
-    longer.write(whole, end, 2);
-    return longer.toByteArray();
+    BufferedImage image = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
+    return ProgressiveJpeg.of(image, repetitions);
   }
 
   @Test

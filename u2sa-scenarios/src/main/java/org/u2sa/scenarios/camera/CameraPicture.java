@@ -1,42 +1,76 @@
 package org.u2sa.scenarios.camera;
 
 import java.awt.image.BufferedImage;
+import java.io.EOFException;
 import java.io.IOException;
-import java.io.InputStream;
-import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Iterator;
 import java.util.Optional;
 import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.FileImageInputStream;
+import javax.imageio.stream.ImageInputStream;
 import org.u2sa.device.port.CameraFrame;
 import org.u2sa.device.port.CameraFrame.Intrinsics;
 import org.u2sa.device.port.CameraFrame.PixelFormat;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.DecodingLimit;
+import org.u2sa.interfaces.disk.RegularFile;
 
 /** Reads images from files as camera frames. */
 final class CameraPicture {
+  private static final long MAX_PIXELS = 1L << 25;
+  private static final int BYTES_PER_PIXEL = 24; // that a decoder of progressive images may need
+  private static final DecodingLimit LIMIT =
+      new DecodingLimit(
+          Math.min(MAX_PIXELS, Runtime.getRuntime().maxMemory() / BYTES_PER_PIXEL),
+          DecodingLimit.MAX_SCANNED_AT_LEISURE);
+
   private CameraPicture() {}
 
   /**
    * Reads a PNG, JPEG, BMP or GIF file as RGB24.
    *
-   * @throws BadInputException if the image is missing or unreadable; names the file
+   * @throws BadInputException if the image is missing, unreadable or too large; names the file
    */
   static CameraFrame read(Path file) {
-    try (InputStream in = Files.newInputStream(file)) {
-      return frame(file.toString(), in, 0L, Optional.empty());
+    RegularFile.require(file, "a PNG, JPEG, BMP or GIF picture");
+    try (ImageInputStream in = new FileImageInputStream(file.toFile())) {
+      return frame(in, 0L, Optional.empty());
     } catch (IOException e) {
-      throw new BadInputException(file + ": cannot be read: " + e.getMessage(), e);
+      throw new BadInputException(file + ": " + e.getMessage(), e);
     }
   }
 
-  /** Reads an image from a stream without closing it. */
-  static CameraFrame frame(
-      String origin, InputStream in, long micros, Optional<Intrinsics> intrinsics)
+  /**
+   * Reads an image without closing the stream.
+   *
+   * @throws IOException if the image is unreadable or too large
+   */
+  static CameraFrame frame(ImageInputStream in, long micros, Optional<Intrinsics> intrinsics)
       throws IOException {
-    BufferedImage image = ImageIO.read(in);
-    if (image == null) {
-      throw new BadInputException(origin + ": is not a PNG, JPEG, BMP or GIF picture");
+    long scans = DecodingLimit.scans(in::read);
+    in.seek(0);
+    Iterator<ImageReader> readers = ImageIO.getImageReaders(in);
+    if (!readers.hasNext()) {
+      throw new IOException("is damaged");
     }
+    ImageReader reader = readers.next();
+    try {
+      reader.setInput(in, true, true);
+      LIMIT.require(reader.getWidth(0), reader.getHeight(0), scans);
+      return frame(reader.read(0), micros, intrinsics);
+    } catch (EOFException e) {
+      throw new IOException("ends too early", e);
+    } catch (RuntimeException e) { // decoders throw these for damaged files
+      throw new IOException("is damaged: " + e, e);
+    } finally {
+      reader.dispose();
+    }
+  }
+
+  private static CameraFrame frame(
+      BufferedImage image, long micros, Optional<Intrinsics> intrinsics) {
     int width = image.getWidth();
     int height = image.getHeight();
     int[] row = new int[width];

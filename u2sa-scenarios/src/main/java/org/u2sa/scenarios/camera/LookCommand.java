@@ -21,6 +21,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.vision.camera.CourseSight.Seen;
 import org.u2sa.vision.camera.CourseVariables;
 import org.u2sa.vision.camera.PictureReading;
+import org.u2sa.vision.camera.SeenMessages;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -118,7 +119,12 @@ final class LookCommand implements Callable<Integer> {
     }
     text.printf("%s, camera %s:%n", name, reading.lens());
     TextTable table = new TextTable("SEEN", "AHEAD", "LEFT", "SIGMA", "CONFIDENCE");
+    boolean isEmpty = true;
     for (ObjectDescription object : reading.messages(seen, 0.0, 0.0, 0.0, 0L)) {
+      if (object.objectType().equals(SeenMessages.NOTHING)) {
+        continue;
+      }
+      isEmpty = false;
       Point sigma = object.motion().sigma().orElseThrow();
       table.add(
           object.objectType(),
@@ -127,7 +133,7 @@ final class LookCommand implements Callable<Integer> {
           String.format(Locale.ROOT, "%.2f, %.2f m", sigma.x(), sigma.y()),
           String.format(Locale.ROOT, "%.2f", object.confidence().orElse(0.0)));
     }
-    table.lines().forEach(text::println);
+    (isEmpty ? List.of("nothing seen") : table.lines()).forEach(text::println);
     Path picture = out.resolve(withoutEnding(name) + "-seen.png");
     ImageIO.write(SeenPicture.of(frame, seen, reading.sight()), "png", picture.toFile());
     text.println("wrote " + picture);

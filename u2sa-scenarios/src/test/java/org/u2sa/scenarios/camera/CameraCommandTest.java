@@ -19,6 +19,7 @@ import org.u2sa.cli.Main;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.device.port.CameraFrame;
 import org.u2sa.device.port.CameraFrame.PixelFormat;
+import org.u2sa.testkit.ProgressiveJpeg;
 
 class CameraCommandTest {
   private static final int HORIZON = 100;
@@ -83,6 +84,35 @@ class CameraCommandTest {
     assertThat(u2sa("camera", "look", text.toString(), "--height", "1"))
         .isEqualTo(ExitCode.BAD_INPUT);
     assertThat(err.toString()).contains("notes.png: is not a PNG, JPEG, BMP or GIF picture");
+  }
+
+  @Test
+  void look_progressiveJpegOfThousandsOfScans_isRefused() throws IOException {
+    byte[] slow =
+        ProgressiveJpeg.of(new BufferedImage(1_000, 1_000, BufferedImage.TYPE_BYTE_GRAY), 1_000);
+    Path file = Files.write(folder.resolve("slow.jpg"), slow);
+    assertThat(u2sa("camera", "look", file.toString(), "--height", "1"))
+        .isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(err.toString()).contains("slow.jpg: an image of 1000 by 1000 pixels in 10");
+  }
+
+  @Test
+  void look_moreThan33MillionPixels_isRefused() throws IOException {
+    Path file = saved(new BufferedImage(8_193, 4_096, BufferedImage.TYPE_BYTE_BINARY), "big.png");
+    assertThat(u2sa("camera", "look", file.toString(), "--height", "1"))
+        .isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(err.toString()).contains("big.png: an image of 8193 by 4096 pixels");
+  }
+
+  @Test
+  void look_pictureOfOneColour_saysThatNothingIsSeen() throws IOException {
+    Path file = saved(new BufferedImage(320, 240, BufferedImage.TYPE_INT_RGB), "plain.png");
+    Path seen = folder.resolve("seen");
+    int code = u2sa("camera", "look", file.toString(), "--height", "1.1", "--out", seen.toString());
+    assertThat(err.toString()).isEmpty();
+    assertThat(code).isEqualTo(ExitCode.DONE);
+    assertThat(out.toString()).contains("nothing seen");
+    assertThat(seen.resolve("plain-seen.png")).exists();
   }
 
   @Test

@@ -3,7 +3,9 @@ package org.u2sa.sim.jsbsim;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -11,6 +13,7 @@ import java.util.TreeMap;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlText;
+import org.u2sa.sim.flight.UnmannedAircraft;
 
 /** An aircraft file and the files of its engines, propellers and systems. Immutable. */
 final class AircraftFiles {
@@ -31,6 +34,9 @@ final class AircraftFiles {
           "input");
   private static final List<String> BESIDE =
       List.of("", "Engines", "engine", "Systems", "../engine", "../../engine", "../../systems");
+
+  /** Each may be evaluated in every tick; JSBSim's aircraft files have up to 1,300. */
+  private static final int MAX_ELEMENTS = 20_000;
 
   private final Path folder;
   private final XmlElement aircraft;
@@ -70,6 +76,26 @@ final class AircraftFiles {
       if (each.name().equals("system") || each.name().equals("flight_control")) {
         systems.add(each.attributes().containsKey("file") ? load(each, each.name()) : each);
       }
+    }
+    requireFewElements();
+  }
+
+  private void requireFewElements() {
+    Deque<XmlElement> left = new ArrayDeque<>(parts.values());
+    left.add(aircraft);
+    int count = 0;
+    while (!left.isEmpty()) {
+      left.addAll(left.remove().children());
+      count++;
+    }
+    if (count > MAX_ELEMENTS) {
+      throw aircraft.error(
+          count
+              + " elements with engines and systems; expected at most "
+              + MAX_ELEMENTS
+              + ", which are evaluated "
+              + UnmannedAircraft.TICKS_PER_SECOND
+              + " times a second");
     }
   }
 

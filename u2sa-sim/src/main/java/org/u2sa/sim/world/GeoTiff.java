@@ -109,7 +109,9 @@ final class GeoTiff {
             width + " by " + height + " pixels; expected 2 to " + MAX_SIDE + " each way");
       }
       requireRoom(width, height, Runtime.getRuntime().maxMemory());
-      requireOneBand(TIFFDirectory.createFromMetadata(reader.getImageMetadata(0)));
+      TIFFDirectory known = TIFFDirectory.createFromMetadata(reader.getImageMetadata(0));
+      requireOneBand(known);
+      requireNoJpeg(known);
       stream.seek(0);
       reader.setInput(stream, true, false); // reads all tags again, unknown ones too
       TIFFImageReadParam parameters = new TIFFImageReadParam();
@@ -134,6 +136,16 @@ final class GeoTiff {
     int bands = samples == null ? 1 : samples.getAsInt(0);
     if (bands != 1) {
       throw new IOException(bands + " bands; expected one");
+    }
+  }
+
+  /** Rejects tiles that are JPEG images: each may be of any size, whatever its tile's. */
+  private static void requireNoJpeg(TIFFDirectory tags) throws IOException {
+    TIFFField compression = tags.getTIFFField(BaselineTIFFTagSet.TAG_COMPRESSION);
+    int code = compression == null ? 0 : compression.getAsInt(0);
+    if (code == BaselineTIFFTagSet.COMPRESSION_JPEG
+        || code == BaselineTIFFTagSet.COMPRESSION_OLD_JPEG) {
+      throw new IOException("is compressed as JPEG; expected Deflate, LZW, PackBits or none");
     }
   }
 

@@ -11,6 +11,7 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.DecodingLimit;
 import org.u2sa.sim.motion.Arguments;
 
 /**
@@ -19,6 +20,8 @@ import org.u2sa.sim.motion.Arguments;
  */
 public final class HeightMap implements Terrain {
   private static final int MAX_SIDE = 4_096;
+  private static final DecodingLimit LIMIT =
+      new DecodingLimit((long) MAX_SIDE * MAX_SIDE, DecodingLimit.MAX_SCANNED_AT_LEISURE);
   private static final double STEEPEST = 20.0; // maximum slope of a map that rays can search
 
   private final double[] heights; // rows from the north, each from the west [m]
@@ -87,7 +90,7 @@ public final class HeightMap implements Terrain {
       Path file, double widthM, double depthM, double lowestM, double highestM) {
     requireRegular(file);
     try (ImageInputStream stream = ImageIO.createImageInputStream(file.toFile())) {
-      Raster raster = image(file, stream).getRaster();
+      Raster raster = image(stream).getRaster();
       int bits = raster.getSampleModel().getSampleSize(0);
       double full = (1 << bits) - 1;
       int columns = raster.getWidth();
@@ -109,7 +112,7 @@ public final class HeightMap implements Terrain {
     }
   }
 
-  private static BufferedImage image(Path file, ImageInputStream stream) throws IOException {
+  private static BufferedImage image(ImageInputStream stream) throws IOException {
     if (stream == null) {
       throw new IOException("cannot be opened");
     }
@@ -120,6 +123,8 @@ public final class HeightMap implements Terrain {
     ImageReader reader =
         found.orElseThrow(() -> new IOException("is not a readable image, such as a PNG"));
     try {
+      long scans = DecodingLimit.scans(stream::read);
+      stream.seek(0);
       reader.setInput(stream, true, true);
       int width = reader.getWidth(0);
       int height = reader.getHeight(0);
@@ -127,6 +132,7 @@ public final class HeightMap implements Terrain {
         throw new IOException(
             width + " by " + height + " pixels; expected 2 to " + MAX_SIDE + " each way");
       }
+      LIMIT.require(width, height, scans);
       BufferedImage image = reader.read(0);
       if (image.getRaster().getNumBands() != 1 || image.getColorModel().getPixelSize() < 8) {
         throw new IOException("is not grey with 8 or 16 bits per pixel");

@@ -95,6 +95,16 @@ class JsbsimReadingTest {
   }
 
   @Test
+  void read_functionsThatTakeMinutes_areRefused(@TempDir Path folder) throws IOException {
+    String many = "<function><value>1</value></function>".repeat(10_000);
+    Path file = changed(folder, "<aerodynamics>", "<aerodynamics>" + many);
+    assertThatThrownBy(() -> JsbsimAircraft.read(file, Map.of()))
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContaining("trainer.xml")
+        .hasMessageContaining("elements with engines and systems; expected at most 20000");
+  }
+
+  @Test
   void read_propertyOfTheVehicleFile_replacesTheMissingOne(@TempDir Path folder)
       throws IOException {
     Path file =

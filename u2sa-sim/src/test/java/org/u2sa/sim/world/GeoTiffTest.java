@@ -30,6 +30,7 @@ class GeoTiffTest {
   @TempDir private Path folder;
   private String noData = "-9999";
   private int bands = 1;
+  private int compression = 1;
 
   private record Tag(int id, int type, int count, byte[] data) {}
 
@@ -65,7 +66,7 @@ class GeoTiffTest {
     tags.add(shorts(256, SIZE));
     tags.add(shorts(257, SIZE));
     tags.add(shorts(258, 32));
-    tags.add(shorts(259, 1));
+    tags.add(shorts(259, compression));
     tags.add(shorts(262, 1));
     tags.add(longs(273, 8));
     tags.add(shorts(277, bands));
@@ -189,6 +190,16 @@ class GeoTiffTest {
     assertThatThrownBy(() -> GeoTiff.read(many, new LocalPlane(ORIGIN), 100.0, 80.0))
         .isInstanceOf(BadInputException.class)
         .hasMessageContaining("dem.tif: height map: 20 bands; expected one");
+  }
+
+  @Test
+  void read_tilesOfJpeg_areRefused() throws IOException {
+    compression = 7;
+    Path many = write(slope(), 10.0, Point.of(0.0, 0.0, 0.0), 1, 32_632);
+
+    assertThatThrownBy(() -> GeoTiff.read(many, new LocalPlane(ORIGIN), 100.0, 80.0))
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContaining("dem.tif: height map: is compressed as JPEG");
   }
 
   /** GDAL writes these in lower case. */

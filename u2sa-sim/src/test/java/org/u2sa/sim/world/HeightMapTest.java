@@ -19,6 +19,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.testkit.ProgressiveJpeg;
 
 class HeightMapTest {
   @TempDir private Path folder;
@@ -87,6 +88,26 @@ class HeightMapTest {
     assertThatThrownBy(() -> HeightMap.read(grey, 0.01, 10.0, 0.0, 5.0))
         .isInstanceOf(BadInputException.class)
         .hasMessageContaining("steepest slope");
+  }
+
+  @Test
+  void read_progressiveJpegOfThousandsOfScans_isRefused() throws IOException {
+    BufferedImage grey = new BufferedImage(1_000, 1_000, BufferedImage.TYPE_BYTE_GRAY);
+    Path few = Files.write(folder.resolve("few.jpg"), ProgressiveJpeg.of(grey, 0));
+    Path many = Files.write(folder.resolve("many.jpg"), ProgressiveJpeg.of(grey, 1_000));
+
+    assertThat(HeightMap.read(few, 10.0, 10.0, 0.0, 1.0).highestM()).isZero();
+    assertRefused(many, "1000 by 1000 pixels in 10");
+  }
+
+  /** A TIFF file may contain JPEG images of any size. */
+  @Test
+  void read_tiffThatIsNamedPng_isRefused() throws IOException {
+    Path file = folder.resolve("heights.png");
+    BufferedImage grey = new BufferedImage(3, 3, BufferedImage.TYPE_BYTE_GRAY);
+    ImageIO.write(grey, "tiff", file.toFile());
+
+    assertRefused(file, "is not a PNG, JPEG, BMP or GIF picture");
   }
 
   @Test
