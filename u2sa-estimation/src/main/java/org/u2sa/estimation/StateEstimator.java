@@ -89,7 +89,7 @@ public abstract class StateEstimator extends EventDrivenService {
               sensed.sensorName(),
               aheadS));
     }
-    StateInformation timely = (StateInformation) sensed.copy();
+    StateInformation timely = sensed.copy();
     timely.timestamp(now);
     timely.freeze();
     return timely;
