@@ -3,7 +3,7 @@ package org.u2sa.gcs.mavlink;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.dronefleet.mavlink.common.Ping;
+import io.dronefleet.mavlink.common.SystemTime;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -39,7 +39,8 @@ class SigningKeysTest {
     secret("copy", " secret \nsomething else\n");
     MavlinkSigning station = new MavlinkSigning("secret", clock::get);
     packet =
-        new MavlinkStream(255, 190, Optional.of(station)).encode(Ping.builder().seq(1).build());
+        new MavlinkStream(255, 190, Optional.of(station))
+            .encode(SystemTime.builder().timeBootMs(1).build());
   }
 
   private Path secret(String name, String text) {
