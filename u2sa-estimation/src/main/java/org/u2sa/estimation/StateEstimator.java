@@ -73,7 +73,7 @@ public abstract class StateEstimator extends EventDrivenService {
 
   /**
    * A measurement of a clock that is a little ahead counts as made on arrival: nothing is measured
-   * later than it is said, and an estimate must not run ahead of this service's time.
+   * after its message arrives, and an estimate must not run ahead of this service's time.
    */
   private StateInformation onArrival(StateInformation sensed) {
     long now = clock().micros();
