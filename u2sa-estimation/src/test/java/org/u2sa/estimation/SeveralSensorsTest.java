@@ -9,6 +9,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.frame.Geodetic;
@@ -31,6 +32,7 @@ class SeveralSensorsTest {
   }
 
   private void sense(long micros, StateInformation measured) {
+    kit.advance(Math.max(0.0, Clock.seconds(micros - kit.clock().micros())));
     measured.timestamp(micros);
     kit.publish(Channels.SENSED_STATE, measured);
   }

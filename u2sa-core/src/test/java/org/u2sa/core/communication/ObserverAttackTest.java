@@ -57,6 +57,13 @@ class ObserverAttackTest extends SecuredClients {
     return new RawClient(TestAuthority.socket(directory), broker.port);
   }
 
+  /** A client that logs in at once: the broker waits for that for seconds only. */
+  private RawClient loggedIn(String user) throws IOException, GeneralSecurityException {
+    RawClient client = client();
+    assertThat(client.introduce(user, user, user)).isZero();
+    return client;
+  }
+
   /** A question that comes later than what was tried: when it is there, so would the others be. */
   private void awaitQuestion(RawClient screen) throws IOException {
     U2SAData question = new DiscoveryRequest();
@@ -129,10 +136,8 @@ class ObserverAttackTest extends SecuredClients {
   @Test
   void publishRetained_byTheThousand_leavesRoomForTheEmergencyStop()
       throws IOException, GeneralSecurityException {
-    try (RawClient screen = client();
-        RawClient sensor = client()) {
-      assertThat(screen.introduce("screen", "screen", "screen")).isZero();
-      assertThat(sensor.introduce("sensor", "sensor", "sensor")).isZero();
+    try (RawClient screen = loggedIn("screen");
+        RawClient sensor = loggedIn("sensor")) {
       byte[] question = new DiscoveryRequest().serialize();
       byte[] goals = new GoalList().serialize();
       for (int i = 0; i < 300; i++) {

@@ -17,7 +17,7 @@ import org.u2sa.planning.seen.SeenWorld;
 final class CruiseAltitude {
   private static final double MIN_HEIGHT_M =
       3.0; // above the ground, from which it may move sideways
-  private static final double ROUGHLY_M = 1.0; // above the clearance, over high ground
+  private static final double MARGIN_M = 1.0; // above the clearance, over high ground
   private static final double RISES_M = 1.0; // smaller climbs are made on the way
   private static final double RISEN_M = 0.5; // below the altitude to which it rises
   private static final double STEP_M = 5.0; // between positions of a straight way, at least
@@ -206,7 +206,7 @@ final class CruiseAltitude {
 
   /** Altitude at which it flies above ground, with room for errors of maps. */
   private static double aboveM(double groundM, AvoidanceVariables now) {
-    return groundM - now.verticalClearance() - ROUGHLY_M;
+    return groundM - now.verticalClearance() - MARGIN_M;
   }
 
   /** Highest ground on the straight way to the goal, and beside it. */
