@@ -182,6 +182,18 @@ class HillsideTest extends PlannedVehicle {
     assertThat(lowestM).isGreaterThan(2.5);
   }
 
+  /** It begins 5 to 25 m above the top, on the way down to a goal at its foot. */
+  @ParameterizedTest
+  @CsvSource({"5", "8", "12", "25"})
+  void waypoint_belowAPlateauUnderTheVehicle_fliesOverItAndDescends(double aboveM)
+      throws IOException {
+    start(aboveM, (north, east) -> 40.0 / (1.0 + Math.exp((north - 45.0) / 3.0)));
+    goals(north(WAY_M).z(4.0).verticalThreshold(1.0));
+
+    assertThat(fly(90.0).completed()).isTrue();
+    assertThat(lowestM).isGreaterThan(3.0);
+  }
+
   /** The ridge is higher than the fence allows. */
   @Test
   void home_behindARidgeAboveTheCeiling_isGivenUp() throws IOException {

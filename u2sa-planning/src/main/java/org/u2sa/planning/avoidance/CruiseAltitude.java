@@ -177,9 +177,11 @@ final class CruiseAltitude {
     for (double groundM : new double[] {straightWayM(at, toGoal, now), plannedM()}) {
       double highestM = limits.highestDownM(plane, world, now);
       double clearM = Math.max(highestM, aboveM(groundM, now));
+      boolean isHigh = at.z() <= clearM; // it need only not descend yet
       double upM = straightUpM(vehicle, at, clearM, now);
-      if (upM > 0.0 && at.z() - upM < before - RISES_M) {
-        raise(at.z() - upM);
+      double toM = isHigh ? clearM : at.z() - upM;
+      if ((isHigh || upM > 0.0) && toM < before - RISES_M) {
+        raise(toM);
         return true;
       }
     }
