@@ -34,8 +34,8 @@ import org.u2sa.service.handover.HandOver;
 /**
  * Controls any vehicle using the effects its actuators announce (thesis 3.2.3.5: "discover which
  * actuators exist, … and how those actuators influence the state"). In: navigation, state,
- * actuators, health, arming-state. Out: actuation of every actuator that announced a numeric
- * effect.
+ * actuators, health, arming-state, manual-state. Out: actuation of every actuator that announced a
+ * numeric effect.
  *
  * <p>Position → velocity → force and angle → rate → moment, by cascaded PIDs ({@link Cascade}), and
  * weighted allocation ({@link Allocator}). A multirotor moves sideways by leaning (LEANS). When an
@@ -124,6 +124,7 @@ public final class AllocatingControl extends ControlSystem {
   private boolean lacksEssentials; // an essential axis is lost
   private long revision = -1;
   private String said = "";
+  private final PilotWatch pilot = new PilotWatch(clock());
   private boolean armed = true; // without an arming service, actuators obey
   private boolean waits = true; // until an arming service reports, or none has for WAIT_MICROS
   private boolean stood = cascade.stands(); // on the ground, in the last step
@@ -143,6 +144,7 @@ public final class AllocatingControl extends ControlSystem {
     subscribe(Channels.ACTUATORS, this::see);
     subscribe(Channels.HEALTH, roster::see);
     subscribe(Channels.ARMING_STATE, this::heed);
+    subscribe(Channels.MANUAL_STATE, pilot::see);
     if (choices.get().sensesMotion()) {
       subscribe(Channels.SENSED_STATE, measured -> sensed.sensed(measured, clock().micros()));
     }
@@ -197,6 +199,11 @@ public final class AllocatingControl extends ControlSystem {
       response.restart();
       neutral().forEach(this::command);
       return;
+    }
+    if (pilot.flies()) {
+      cascade.rest(); // else its integrals would rule when the pilot gives back
+      tuner.abort();
+      response.restart();
     }
     fluidMps = motion.get().speedThroughFluidMps(state);
     drive(motion.get(), target(state, point));

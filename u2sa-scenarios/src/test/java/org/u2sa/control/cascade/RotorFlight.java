@@ -46,6 +46,7 @@ final class RotorFlight implements AutoCloseable {
   private final VehicleRun run;
   private ControlSystem control;
   Point target = Point.of(0.0, 0.0, -STANDS_M); // north, east, down [m]
+  boolean isCutOff; // by a pilot's multiplexer: the rotors keep their thrust
   double velocityErrorMps; // amplitude of a slow error of the measured velocity
 
   RotorFlight(int rotors, Wind wind) {
@@ -116,7 +117,9 @@ final class RotorFlight implements AutoCloseable {
 
     @Override
     protected void actuate(double percentage) {
-      run.command(clock().micros(), actuatorName(), Math.max(0.0, percentage / 100.0));
+      if (!isCutOff) {
+        run.command(clock().micros(), actuatorName(), Math.max(0.0, percentage / 100.0));
+      }
     }
 
     @Override
