@@ -18,6 +18,7 @@ public final class MavlinkSigning {
   private static final long EPOCH_MICROS = 1_420_070_400_000_000L; // 2015-01-01 UTC
   private static final long TICK_MICROS = 10;
   private static final double TICKS_PER_S = 100_000.0;
+  private static final long SET_BACK_TICKS = 1_000_000; // networks do not delay packets by so much
   private static final long LATEST = (1L << 48) - (1L << 40); // later ones are not followed
   private static final int LINK_ID = 0;
   private static final int BYTE = 8;
@@ -114,10 +115,32 @@ public final class MavlinkSigning {
     String refusal = streams.refusal(stream(frame), time, now);
     if (refusal.isEmpty()) {
       newest = Math.max(newest, Math.min(time, LATEST));
-    } else if (refusal.equals(SignedStreams.OUTDATED_STREAM) && streams.isWarningDue(now)) {
-      warnings.accept(warning(frame, streams.age(time, now), streams.maxAge(now)));
+      return refusal;
+    }
+    boolean isNew = refusal.equals(SignedStreams.OUTDATED_STREAM);
+    long newestOfStream = streams.newest(stream(frame));
+    boolean isSetBack = !isNew && newestOfStream - time > SET_BACK_TICKS;
+    if (isSetBack) {
+      newest = Math.max(newest, Math.min(newestOfStream, LATEST)); // for its station to follow
+    }
+    if ((isNew || isSetBack) && streams.isWarningDue(now)) {
+      warnings.accept(
+          isNew
+              ? warning(frame, streams.age(time, now), streams.maxAge(now))
+              : setBack(frame, newestOfStream - time));
     }
     return refusal;
+  }
+
+  private static String setBack(byte[] frame, long ticks) {
+    return String.format(
+        Locale.ROOT,
+        "MAVLink system %d, component %d is refused: its packet was signed %.1f s before its newest"
+            + " one. It was recorded, or the station's clock has been set back; then it is heard"
+            + " once it has heard the vehicle",
+        frame[SYSTEM] & 0xFF,
+        frame[SYSTEM + 1] & 0xFF,
+        ticks / TICKS_PER_S);
   }
 
   private static String warning(byte[] frame, long ageTicks, long allowedTicks) {

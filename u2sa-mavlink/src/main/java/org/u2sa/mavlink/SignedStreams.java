@@ -75,6 +75,11 @@ final class SignedStreams {
     return now > 0 ? now : newest;
   }
 
+  /** Newest timestamp of a stream; 0 if it is not known. */
+  synchronized long newest(int stream) {
+    return systems.getOrDefault(stream >> SYSTEM_SHIFT, Map.of()).getOrDefault(stream, 0L);
+  }
+
   /** Age of a packet [10 µs]. */
   synchronized long age(long time, long now) {
     return reference(now) - time;

@@ -96,6 +96,29 @@ class MavlinkSigningTest {
   }
 
   @Test
+  void accept_stationsClockWasAheadAndIsSetBack_isHeardOnceItHasHeardTheVehicle() {
+    List<String> warnings = new ArrayList<>();
+    MavlinkSigning signing = new MavlinkSigning("secret", clock::get, warnings::add);
+    MavlinkStream before = new MavlinkStream(1, 1, Optional.of(signing.link()));
+    byte[] ahead = ping(stream(255, "secret", new AtomicLong(NOW_MICROS + 3_600_000_000L)));
+    before.accept(ahead, ahead.length, received -> {});
+
+    MavlinkStream again = new MavlinkStream(1, 1, Optional.of(signing.link())); // it connects anew
+    MavlinkStream station = stream(255, "secret", clock);
+    List<Object> heard = new ArrayList<>();
+    byte[] first = ping(station);
+    again.accept(first, first.length, heard::add);
+    assertThat(heard).isEmpty();
+    assertThat(warnings).singleElement().asString().contains("3600.0 s before its newest one");
+
+    byte[] heartbeat = ping(again);
+    station.accept(heartbeat, heartbeat.length, received -> {});
+    byte[] second = ping(station);
+    again.accept(second, second.length, heard::add);
+    assertThat(heard).hasSize(1);
+  }
+
+  @Test
   void accept_clockOfAStationDecadesAhead_othersAreStillHeard() {
     AtomicLong ahead = new AtomicLong(NOW_MICROS + 40L * 365 * 86_400 * 1_000_000);
     assertThat(heard(ping(stream(250, "secret", ahead)))).hasSize(1);
