@@ -103,7 +103,8 @@ class MavlinkSigningTest {
     byte[] ahead = ping(stream(255, "secret", new AtomicLong(NOW_MICROS + 3_600_000_000L)));
     before.accept(ahead, ahead.length, received -> {});
 
-    MavlinkStream again = new MavlinkStream(1, 1, Optional.of(signing.link())); // it connects anew
+    MavlinkStream again =
+        new MavlinkStream(1, 1, Optional.of(signing.link())); // after reconnecting
     MavlinkStream station = stream(255, "secret", clock);
     List<Object> heard = new ArrayList<>();
     byte[] first = ping(station);

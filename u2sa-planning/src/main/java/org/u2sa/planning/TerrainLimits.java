@@ -34,6 +34,8 @@ final class TerrainLimits {
   private static final int HALVINGS = 8; // of a sample, to find the edge in it
   private static final int MAX_SAMPLES = 1000; // of a way
   private static final int MAX_NAMED = 5;
+  private static final int MAX_ASKED =
+      20_000; // goals remembered; then they are asked for once more
   private static final String PART = "terrain"; // of the health remarks
   private static final String HOME = "home"; // UID of a mission's home
   private static final String UNKNOWN = "; ground that it does not cover counts as free";
@@ -65,6 +67,9 @@ final class TerrainLimits {
         Stream.concat(list.goals().stream(), list.upcoming().stream())
             .map(TerrainLimits::key)
             .collect(Collectors.toList());
+    if (asked.size() > MAX_ASKED) {
+      asked.clear();
+    }
     return isUsed.getAsBoolean() && asked.addAll(goals)
         ? Optional.of(new MissionRequest().requestId(planner.getServiceName() + " " + asked.size()))
         : Optional.empty();
