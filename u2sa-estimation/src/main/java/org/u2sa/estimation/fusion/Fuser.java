@@ -91,7 +91,7 @@ final class Fuser {
             && inertial.isMain(s, source, m.micros())
             && !vote.isLeftOut(s, source)
             && !judge.isStuck(s, source)
-            && vote.isBelieved(s, m, source, judge.isContradicted(s, source));
+            && vote.isBelieved(s, m, source, judge);
     if (drives) {
       inertial.meet(s, m, source);
       process.predict(s, m.micros());

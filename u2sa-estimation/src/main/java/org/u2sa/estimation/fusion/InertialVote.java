@@ -87,9 +87,9 @@ final class InertialVote {
    * Whether the source that drives the prediction remains trusted; excludes it otherwise.
    *
    * @param m its measurement
-   * @param isDoubted whether other sensors contradict the estimate
+   * @param judge knows which other sensors contradict the estimate
    */
-  boolean isBelieved(FilterState s, Measurement m, int main, boolean isDoubted) {
+  boolean isBelieved(FilterState s, Measurement m, int main, SourceJudge judge) {
     boolean hasSupport = false;
     int against = FilterState.NO_SOURCE;
     int accuser = FilterState.NO_SOURCE;
@@ -108,6 +108,8 @@ final class InertialVote {
     boolean isOutnumbered = accuser != FilterState.NO_SOURCE && !hasSupport;
     s.trust[agreed] = isOutnumbered ? s.trust[agreed] + 1.0 : 0.0;
     if (s.trust[agreed] < AGREED) {
+      boolean isDoubted =
+          against != FilterState.NO_SOURCE && judge.isContradicted(s, main, against);
       accuser = isDoubted && !hasSupport ? against : FilterState.NO_SOURCE;
     }
     boolean isOutvoted = accuser != FilterState.NO_SOURCE && mayAccuse(s) && !hasSupport;

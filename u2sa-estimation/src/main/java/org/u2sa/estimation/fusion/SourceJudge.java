@@ -214,15 +214,33 @@ final class SourceJudge {
    */
   boolean isContradicted(FilterState s, int source) {
     for (int other = 0; other < trust.sources(); other++) {
-      for (int q = SensedQuantity.PLACE.ordinal(); q < SensedQuantity.count(); q++) {
-        SensedQuantity quantity = SensedQuantity.at(q);
-        if (other != source
-            && isHeard(s, other)
-            && quantity != SensedQuantity.EULER_RATES
-            && trust.isKnown(other, quantity)
-            && s.trust[trust.of(s, other, quantity) + SourceTrust.STREAK] >= RESET_AFTER) {
-          return true;
-        }
+      if (other != source && contradicts(s, other)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /**
+   * Whether that holds for sources of devices other than the accuser's: what one device measures,
+   * late or wrong, is no evidence for the rest of it.
+   */
+  boolean isContradicted(FilterState s, int source, int accuser) {
+    for (int other = 0; other < trust.sources(); other++) {
+      if (other != source && !trust.isSameDevice(other, accuser) && contradicts(s, other)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private boolean contradicts(FilterState s, int source) {
+    for (int q = SensedQuantity.PLACE.ordinal(); q < SensedQuantity.count(); q++) {
+      SensedQuantity quantity = SensedQuantity.at(q);
+      if (quantity != SensedQuantity.EULER_RATES
+          && trust.isKnown(source, quantity)
+          && s.trust[trust.of(s, source, quantity) + SourceTrust.STREAK] >= RESET_AFTER) {
+        return isHeard(s, source);
       }
     }
     return false;

@@ -8,6 +8,7 @@ import org.u2sa.estimation.measurement.KnownOffset;
 import org.u2sa.estimation.measurement.Measurement;
 import org.u2sa.estimation.measurement.PositionGrid;
 import org.u2sa.estimation.measurement.SensedQuantity;
+import org.u2sa.messages.SensorParts;
 
 /**
  * Statistics of the sources: a block of numbers for each source and for each quantity it measures.
@@ -119,6 +120,11 @@ final class SourceTrust {
 
   String name(int source) {
     return names.get(source);
+  }
+
+  /** Whether two sources are parts of the same sensor. */
+  boolean isSameDevice(int one, int other) {
+    return SensorParts.sensor(names.get(one)).equals(SensorParts.sensor(names.get(other)));
   }
 
   /** Offset of a source's own numbers. */

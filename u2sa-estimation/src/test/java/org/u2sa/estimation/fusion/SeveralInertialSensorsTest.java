@@ -9,6 +9,7 @@ import org.u2sa.estimation.fusion.SourceReports.Standing;
 import org.u2sa.estimation.measurement.Measurement;
 import org.u2sa.estimation.measurement.SensedQuantity;
 import org.u2sa.estimation.rotation.Quaternions;
+import org.u2sa.messages.SensorParts;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Point;
 
@@ -17,6 +18,7 @@ class SeveralInertialSensorsTest {
   private static final int SECONDS = 60;
   private static final int LIES_FROM = 2000; // steps: biases are known by then
   private static final int STEPS = 100 * SECONDS;
+  private static final double WRONG_TILT = 0.3; // rad
   private static final double[][] APART = {{0.5, 0.0, 0.0}, {-0.5, 0.5, 0.0}, {0.0, -0.5, 0.5}};
 
   /** What becomes of an inertial measurement. */
@@ -64,6 +66,7 @@ class SeveralInertialSensorsTest {
     private final double[][] last = new double[3][3];
     private final double[] rateBefore = new double[3];
     private boolean tellsEulerRates;
+    private boolean tellsTilt;
     private boolean isApart;
     private double squares;
     private int samples;
@@ -99,7 +102,7 @@ class SeveralInertialSensorsTest {
         System.arraycopy(truth.rate, 0, rateBefore, 0, 3);
         truth.fly(i < 200 ? 0.0 : 1.0, i < 200 ? 0.0 : 0.3);
         for (int k = 0; k < 3; k++) {
-          truth.imu(m, "IMU " + k, bias[k], 0.02, 0.2); // drawn always: one motion for all
+          truth.imu(m, inertial(k), bias[k], 0.02, 0.2); // drawn always: one motion for all
           if (lies[k] != null && i >= LIES_FROM) {
             falsify(lies[k], last[k], i - LIES_FROM);
           } else {
@@ -113,6 +116,9 @@ class SeveralInertialSensorsTest {
           }
           if (k < sensors && tellsEulerRates && i % 2 == 0) {
             filter.add(eulerRates(k));
+          }
+          if (k < sensors && tellsTilt && i % 2 == 0) {
+            filter.add(tilt(k, lies[k] != null && i >= LIES_FROM ? WRONG_TILT : 0.0));
           }
         }
         if (i % 20 == 0) {
@@ -168,6 +174,18 @@ class SeveralInertialSensorsTest {
       return m;
     }
 
+    /** Roll and pitch from the filter of the same device. */
+    private Measurement tilt(int sensor, double error) {
+      m.begin("IMU " + sensor, truth.micros);
+      m.set(SensedQuantity.TILT, 0, Quaternions.phi(truth.r) + error, 0.02);
+      m.set(SensedQuantity.TILT, 1, Quaternions.theta(truth.r), 0.02);
+      return m;
+    }
+
+    private static String inertial(int sensor) {
+      return "IMU " + sensor + SensorParts.INERTIAL;
+    }
+
     private void keep(double[] to) {
       for (int axis = 0; axis < 3; axis++) {
         to[axis] = m.value(SensedQuantity.BODY_RATES, axis);
@@ -197,7 +215,7 @@ class SeveralInertialSensorsTest {
 
     Standing standing(int sensor) {
       return filter.sources().at(truth.micros).stream()
-          .filter(each -> each.source().equals("IMU " + sensor))
+          .filter(each -> each.source().equals(inertial(sensor)))
           .findFirst()
           .orElseThrow()
           .standing();
@@ -259,6 +277,20 @@ class SeveralInertialSensorsTest {
     Flight lied = new Flight(3);
     lied.tellsEulerRates = true;
     lied.fly(2, 1, lie);
+    assertThat(lied.standing(1)).isEqualTo(Standing.BIASED);
+    assertThat(lied.standing(0)).isEqualTo(Standing.USED);
+    assertThat(lied.filter.state().accusedMicros).isZero();
+  }
+
+  /** The liar's own roll and pitch contradict the estimate, too; nor is that a second opinion. */
+  @ParameterizedTest
+  @EnumSource(Lie.class)
+  void add_secondOfTwoLiesAndTiltsToo_isLeftOutAndNamed(Lie lie) {
+    Flight alone = new Flight(3).fly(1, -1, lie);
+    Flight lied = new Flight(3);
+    lied.tellsTilt = true;
+    lied.fly(2, 1, lie);
+    assertThat(lied.attitudeRms()).isLessThan(1.1 * alone.attitudeRms());
     assertThat(lied.standing(1)).isEqualTo(Standing.BIASED);
     assertThat(lied.standing(0)).isEqualTo(Standing.USED);
     assertThat(lied.filter.state().accusedMicros).isZero();
