@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.function.Consumer;
 import org.u2sa.core.communication.CommunicationManager;
 import org.u2sa.core.communication.ManagerVariables;
+import org.u2sa.core.station.StationPage;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
@@ -67,6 +68,7 @@ final class WebPlayback implements AutoCloseable, Receiver {
             XmlConfiguration.inMemory(
                 "--web", Map.of(ManagerVariables.PORT, port + 1, ManagerVariables.WEB_PORT, port)),
             MessageTypes.discovered(),
+            StationPage::ofRecording,
             log);
     connection = manager.transport().connect(NAME, this);
     connection.subscribe(Channels.CONFIGURATION);

@@ -1,6 +1,8 @@
 package org.u2sa.cli.safety;
 
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Set;
 import java.util.SortedMap;
@@ -32,8 +34,8 @@ import picocli.CommandLine.Option;
     description = {
       "Stop everything that moves, immediately, until the stop is cleared.",
       "",
-      "Every actuator, including those started later, goes neutral and refuses all commands until estop --clear. An aircraft "
-          + "glides, its surfaces neutral and its engine idling.",
+      "Every actuator, including those started later, goes neutral and refuses all commands until"
+          + " estop --clear. An aircraft glides, its surfaces neutral and its engine idling.",
       "",
       "Without --system the stop is sent to every system at the broker that the user may "
           + "command, as soon as each is discovered; "
@@ -54,6 +56,7 @@ public final class EmergencyStopCommand extends BaseCommand {
 
   private static final double CONNECTS_WITHIN_S = 20.0; // to a broker that is there
   private static final double PAUSE_S = 0.3; // between attempts, which are part of the flood
+  private static final int LIFTS_BYTES = 12_000; // in a message of 16 KiB at most
   private static final int MAX_LINES = 30; // an attacker can announce thousands of services
 
   @Mixin private RemoteSystem remote;
@@ -171,19 +174,39 @@ public final class EmergencyStopCommand extends BaseCommand {
   }
 
   private int clear(RemoteLink link, Clock.Waiter waiter) throws InterruptedException {
-    EmergencyStop message = new EmergencyStop().operator(Operator.name()).reason(reason);
     StopConfirmation vehicle = StopConfirmation.listen(link, link.systemId(), waiter);
     link.await(() -> false, Math.min(LISTEN_S, link.timeoutS()));
     Set<String> standing = vehicle.standing();
-    message.active(false);
-    if (!standing.isEmpty()) { // otherwise a time would clear a stop that is given just now
-      message.clears(Math.max(link.clock().micros(), vehicle.newestMicros()));
-      message.lifts(List.copyOf(standing));
+    if (standing.isEmpty()) { // a time would clear a stop that is given just now
+      link.publish(Channels.EMERGENCY_STOP, clearing());
     }
-    link.publish(Channels.EMERGENCY_STOP, message);
+    for (List<String> lifted : parts(standing)) {
+      long clears = Math.max(link.clock().micros(), vehicle.newestMicros());
+      link.publish(Channels.EMERGENCY_STOP, clearing().clears(clears).lifts(lifted));
+    }
     StopConfirmation.Outcome free = List::isEmpty;
     vehicle.await(free);
     return report(remote, link, link.systemId(), vehicle, free);
+  }
+
+  private EmergencyStop clearing() {
+    return new EmergencyStop().active(false).operator(Operator.name()).reason(reason);
+  }
+
+  /** Stops in lists that each fit into a message. */
+  static List<List<String>> parts(Collection<String> stops) {
+    List<List<String>> parts = new ArrayList<>();
+    int left = 0;
+    for (String stop : stops) {
+      int bytes = stop.getBytes(StandardCharsets.UTF_8).length;
+      if (parts.isEmpty() || bytes > left) {
+        parts.add(new ArrayList<>());
+        left = LIFTS_BYTES;
+      }
+      parts.get(parts.size() - 1).add(stop);
+      left -= bytes;
+    }
+    return parts;
   }
 
   private int report(

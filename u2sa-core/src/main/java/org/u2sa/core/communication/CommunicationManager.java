@@ -11,6 +11,7 @@ import org.u2sa.core.communication.discovery.BrokerSearch;
 import org.u2sa.core.communication.discovery.FoundBroker;
 import org.u2sa.core.communication.limit.BrokerLimits;
 import org.u2sa.core.communication.limit.OpenFiles;
+import org.u2sa.core.communication.web.WebSite;
 import org.u2sa.core.security.SecurityDirectory;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channel;
@@ -76,6 +77,16 @@ public final class CommunicationManager implements AutoCloseable {
    */
   public static CommunicationManager start(
       String systemId, Configurator configuration, MessageTypes types, Consumer<String> log) {
+    return start(systemId, configuration, types, WebSite::discovered, log);
+  }
+
+  /** Likewise, with an operator's page of its own. */
+  public static CommunicationManager start(
+      String systemId,
+      Configurator configuration,
+      MessageTypes types,
+      Supplier<WebSite> page,
+      Consumer<String> log) {
     ManagerVariables manager = configuration.settings(ManagerVariables.class).get();
     String bindAddress = manager.bindAddress();
     int port = manager.communicationManagerPort();
@@ -112,7 +123,7 @@ public final class CommunicationManager implements AutoCloseable {
       BrokerLimits limits = OpenFiles.fitted(configured, log);
       BrokerSecurity security = BrokerSecurity.of(settings, bindAddress, port, log);
       secured = security;
-      Optional<WebPort> web = WebPort.of(manager, security.isOn());
+      Optional<WebPort> web = WebPort.of(manager, page, security.isOn());
       InetSocketAddress address = new InetSocketAddress(bindAddress, port);
       broker =
           security.starting(
@@ -128,7 +139,7 @@ public final class CommunicationManager implements AutoCloseable {
           () ->
               new MqttTransport(reached, port, systemId, codec, security.ownAccess())
                   .waiting(OWN_BROKER_WITHIN_S);
-      web.ifPresent(page -> log.accept(security.loginLine(page.link())));
+      web.ifPresent(served -> log.accept(security.loginLine(served.link())));
       if (manager.announces()) {
         announcement =
             BrokerAnnouncement.start(

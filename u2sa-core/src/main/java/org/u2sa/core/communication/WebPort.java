@@ -3,6 +3,7 @@ package org.u2sa.core.communication;
 import java.net.InetSocketAddress;
 import java.nio.file.Paths;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.u2sa.core.communication.web.SameOrigin;
 import org.u2sa.core.communication.web.WebResponses;
 import org.u2sa.core.communication.web.WebSite;
@@ -15,7 +16,7 @@ record WebPort(InetSocketAddress address, WebResponses page, SameOrigin origin, 
    *
    * @throws org.u2sa.interfaces.BadInputException if there is no page to serve
    */
-  static Optional<WebPort> of(ManagerVariables manager, boolean encrypted) {
+  static Optional<WebPort> of(ManagerVariables manager, Supplier<WebSite> page, boolean encrypted) {
     if (manager.webPort() == 0) {
       return Optional.empty();
     }
@@ -24,7 +25,7 @@ record WebPort(InetSocketAddress address, WebResponses page, SameOrigin origin, 
         new WebPort(
             address,
             new WebResponses(
-                WebSite.discovered(),
+                page.get(),
                 manager.webTiles().isEmpty() ? null : WebTiles.open(Paths.get(manager.webTiles()))),
             SameOrigin.of(encrypted, address.getAddress()),
             encrypted));

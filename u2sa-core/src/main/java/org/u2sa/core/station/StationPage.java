@@ -4,6 +4,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -62,12 +63,36 @@ public final class StationPage implements WebSite {
           "js", "text/javascript; charset=utf-8",
           "svg", "image/svg+xml");
 
+  private static final String START = "<html lang=\"en\"";
+
+  private final boolean isRecording;
+
+  /** The page of a vehicle. */
+  public StationPage() {
+    this(false);
+  }
+
+  private StationPage(boolean isRecording) {
+    this.isRecording = isRecording;
+  }
+
+  /** The page of a recording, which has a timeline instead of orders. */
+  public static StationPage ofRecording() {
+    return new StationPage(true);
+  }
+
   @Override
   public Map<String, File> files() {
     Map<String, File> files = new HashMap<>();
     for (String name : NAMES) {
       String mediaType = MEDIA_TYPES.get(name.substring(name.lastIndexOf('.') + 1));
       files.put(name.equals(PAGE) ? "/" : "/" + name, new File(mediaType, read(name)));
+    }
+    if (isRecording) {
+      File page = files.get("/");
+      String text = new String(page.content(), StandardCharsets.UTF_8);
+      String marked = text.replace(START, START + " data-shows=\"recording\"");
+      files.put("/", new File(page.mediaType(), marked.getBytes(StandardCharsets.UTF_8)));
     }
     return files;
   }

@@ -52,6 +52,14 @@ class StationPageFilesTest {
   }
 
   @Test
+  void ofRecording_page_isMarkedAndThatOfAVehicleIsNot() {
+    String mark = "data-shows=\"recording\"";
+    String recording = new String(StationPage.ofRecording().files().get("/").content(), UTF_8);
+    assertThat(recording).contains(mark);
+    assertThat(new String(files.get("/").content(), UTF_8)).doesNotContain(mark);
+  }
+
+  @Test
   void scripts_neverMakeMarkupOrCodeOfTexts() {
     files.forEach(
         (path, file) ->

@@ -171,7 +171,7 @@ public final class RemoteConfiguration {
                 Channels.CONFIGURATION,
                 request,
                 ConfigurationTransactionResult.class,
-                each -> each.requestId().equals(id))
+                each -> each.requestId().equals(id) && each.serviceName().equals(service))
             .orElseThrow(() -> nobody(service, "; " + Unanswered.EXPIRING));
     if (!result.accepted()) {
       throw new RunFailedException(result.reason());
@@ -182,7 +182,8 @@ public final class RemoteConfiguration {
   private RunFailedException nobody(String service, String later) {
     return new RunFailedException(
         String.format(
-            "%s of system \"%s\" did not answer within %s s; ./u2sa config list shows which services do%s",
+            "%s of system \"%s\" did not answer within %s s; ./u2sa config list shows which"
+                + " services do%s",
             service, link.systemId(), link.timeoutS(), later));
   }
 

@@ -41,6 +41,13 @@ class StationPageTest {
   private static final double MAP_CENTRE_X = (WIDTH - 400) / 2.0; // of the page beside its panel
   private static final double MAP_CENTRE_Y = 450.0;
 
+  /** In CBOR, a service named Playback with the variables of a recording. */
+  private static final String PLAYBACK =
+      "\u00a2kserviceNamehPlaybackivariables\u0083"
+          + "\u00a3dnamehPOSITIONevaluea0cmax\u0018d"
+          + "\u00a2dnamedRATEevaluea1"
+          + "\u00a2dnamefPAUSEDevalueefalse";
+
   @TempDir private static Path profile;
   private static HeadlessBrowser browser; // of all tests: it takes as long to start as a vehicle
 
@@ -103,15 +110,16 @@ class StationPageTest {
                     + " return place.of('GLOBAL', -179.9999, -17).x; })")
             .asDouble();
     assertThat(acrossTheDateLineM).isBetween(21.0, 22.0);
-    String allowed = // what is only drawn must not hold up an emergency stop
+    String allowed = // no service's messages must hold up an emergency stop
         browser
             .evaluate(
-                "import('./budget.js').then(({Budget}) => { const budget = new Budget();"
-                    + " return [budget.allows('objects', 919000, 0), budget.allows('state', 919000, 0),"
-                    + " budget.allows('objects', 100000, 0), budget.allows('objects', 100000, 1),"
-                    + " budget.allows('objects', 100000, 400), budget.skipped].join(); })")
+                "import('./budget.js').then(({Budget}) => { const budget = new Budget(); return"
+                    + " [budget.allows('objects', 919000, 0), budget.allows('state', 919000, 0),"
+                    + " budget.allows('state', 919000, 1), budget.allows('arming-state', 919000,"
+                    + " 1), budget.allows('objects', 100000, 0), budget.allows('objects', 100000,"
+                    + " 1), budget.allows('objects', 100000, 400), budget.skipped].join(); })")
             .asText();
-    assertThat(allowed).isEqualTo("false,true,true,false,true,2");
+    assertThat(allowed).isEqualTo("false,true,false,true,true,false,true,3");
 
     browser.press("hold");
     browser.awaitText("doing", "held at");
@@ -144,6 +152,38 @@ class StationPageTest {
     browser.awaitText("link", "LINK LOST");
     assertThat(browser.requests).allMatch(url -> url.contains("//127.0.0.1:" + webPort + "/"));
     assertThat(browser.errors).filteredOn(error -> !error.contains("ERR_CONNECTION")).isEmpty();
+  }
+
+  @Test
+  void orders_answeredByAnotherServiceOrWithLongStops_waitForTheirOwnAndAreSplit() {
+    browser.open(page + "#" + token());
+    browser.awaitText("link", "link ");
+    String answer =
+        browser
+            .evaluate(
+                "import('./orders.js').then(({Orders}) => { const orders = new Orders({publish: ()"
+                    + " => Promise.resolve()}); const vehicle = {id: 'ugv', now: () => 0n}; const"
+                    + " change = {serviceName: 'Control', author: '', assignments: []}; const"
+                    + " result = orders.ask(vehicle, 'configuration', 'ConfigurationUndo', change,"
+                    + " 4000, 'Control'); const [requestId] = orders.pending.keys();"
+                    + " orders.answered({requestId, serviceName: 'Liar', accepted: true});"
+                    + " orders.answered({requestId, serviceName: 'Control', accepted: false});"
+                    + " return result.then(each => each.serviceName); })")
+            .asText();
+    assertThat(answer).isEqualTo("Control");
+
+    String lifted = // 64 stops with IDs as long as they may be
+        browser
+            .evaluate(
+                "import('./orders.js').then(({Orders}) => { let inForce = []; for (let i = 0; i <"
+                    + " 64; i++) inForce.push(String(i).padEnd(1000, 'x')); const sent = []; const"
+                    + " publish = (system, channel, type, {lifts}) => {"
+                    + " sent.push(lifts.join('').length); inForce = inForce.filter(id =>"
+                    + " !lifts.includes(id)); return Promise.resolve(); }; const vehicle = {id:"
+                    + " 'ugv', now: () => 0n, stops: () => ({inForce})}; return new"
+                    + " Orders({publish}).clearStops(vehicle).then(() => sent.join()); })")
+            .asText();
+    assertThat(lifted).isEqualTo("12000,12000,12000,12000,12000,4000");
   }
 
   @Test
@@ -274,9 +314,12 @@ class StationPageTest {
       await().atMost(LONG).until(() -> heartbeats.get() > 0);
 
       // CBOR by hand: {serviceName: "X", mission: "m"} and {sensorName: "B", voltage: "x"}
+      publish(service, "configuration/ConfigurationResponse", PLAYBACK);
       publish(service, "mission/MissionReport", "\u00a2kserviceNameaXgmissionam");
       publish(service, "power/BatteryState", "\u00a2jsensorNameaBgvoltageax");
       browser.awaitText("doing", "0/0, over"); // the report has come
+      String shown = "getComputedStyle(document.getElementById('estop')).display";
+      assertThat(browser.evaluate(shown).asText()).isNotEqualTo("none");
       int before = heartbeats.get();
       await().atMost(LONG).until(() -> heartbeats.get() >= before + 3);
       service.disconnect();

@@ -1,10 +1,12 @@
-// What a page may spend on drawing: decoding and drawing share the thread that sends the emergency stop.
+// What a page may spend on messages: decoding and drawing share the thread that sends the emergency stop.
 
-const DISPLAY_ONLY = ['objects', 'grid', 'plans'];
-const LARGEST = 128 * 1024; // bytes of a message: some 600 objects
-const BYTES_PER_S = 256 * 1024; // of a channel
+const DRAWN = {largest: 128 * 1024, perS: 256 * 1024}; // bytes: some 600 objects
+const PICTURES = {largest: 1024 * 1024, perS: 4 * 1024 * 1024};
+const OTHER = {largest: 1024 * 1024, perS: 256 * 1024}; // the longest message that the broker takes
+const LIMITS = {objects: DRAWN, grid: DRAWN, plans: DRAWN, images: PICTURES};
+const UNLIMITED = ['emergency-stop', 'arming-state', 'failsafe']; // no service may write there at will
 
-/** Limits the bytes of the channels that are only drawn. */
+/** Limits the bytes of each channel. */
 export class Budget {
   constructor() {
     this.left = new Map(); // channel -> {bytes, at}
@@ -13,9 +15,10 @@ export class Budget {
 
   /** Whether a message may be decoded. `nowMs` is a monotonic time. */
   allows(channel, bytes, nowMs) {
-    if (!DISPLAY_ONLY.includes(channel)) return true;
-    const before = this.left.get(channel) || {bytes: LARGEST, at: nowMs};
-    const refilled = Math.min(LARGEST, before.bytes + BYTES_PER_S * (nowMs - before.at) / 1000);
+    if (UNLIMITED.includes(channel)) return true;
+    const {largest, perS} = LIMITS[channel] || OTHER;
+    const before = this.left.get(channel) || {bytes: largest, at: nowMs};
+    const refilled = Math.min(largest, before.bytes + perS * (nowMs - before.at) / 1000);
     const isAllowed = bytes <= refilled;
     this.left.set(channel, {bytes: refilled - (isAllowed ? bytes : 0), at: nowMs});
     if (!isAllowed) this.skipped++;

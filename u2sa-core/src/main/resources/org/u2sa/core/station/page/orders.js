@@ -3,27 +3,28 @@
 import {texts} from './texts.js';
 
 const ANSWER_WITHIN_MS = 4500; // 5 s, less what a busy browser needs to say so
+const LIFTS_BYTES = 12000;
 const REPEAT_WITHIN_MS = 30000;
 const SWAP_WITHIN_MS = 15000; // a restart first tries the service out
 
 export class Orders {
   constructor(link) {
     this.link = link;
-    this.pending = new Map(); // request ID -> resolve
+    this.pending = new Map(); // request ID -> {resolve, serviceName: whose answer counts; undefined: anyone's}
     this.operator = 'web';
     this.stop = null; // {vehicle, id, phase: waiting | sent, at}
   }
 
   /** Takes a message that may answer a request. */
   answered(fields) {
-    const resolve = this.pending.get(fields.requestId);
-    if (resolve) resolve(fields);
+    const asked = this.pending.get(fields.requestId);
+    if (asked && (!asked.serviceName || asked.serviceName === fields.serviceName)) asked.resolve(fields);
   }
 
-  async ask(vehicle, channel, type, fields, withinMs = ANSWER_WITHIN_MS) {
+  async ask(vehicle, channel, type, fields, withinMs = ANSWER_WITHIN_MS, serviceName = undefined) {
     const requestId = randomId();
     const answer = new Promise((resolve, reject) => {
-      this.pending.set(requestId, resolve);
+      this.pending.set(requestId, {resolve, serviceName});
       setTimeout(() => reject(new Error(texts.noAnswer)), withinMs);
     });
     answer.catch(() => undefined); // awaited below unless publishing fails
@@ -90,7 +91,7 @@ export class Orders {
   }
 
   async changed(vehicle, type, fields) {
-    const result = await this.ask(vehicle, 'configuration', type, fields);
+    const result = await this.ask(vehicle, 'configuration', type, fields, ANSWER_WITHIN_MS, fields.serviceName);
     await this.askConfiguration(vehicle, fields.serviceName).catch(() => undefined); // shows the values in force
     if (!result.accepted) throw new Error(result.reason);
     return result;
@@ -146,10 +147,28 @@ export class Orders {
   async clearStops(vehicle) {
     const lifts = vehicle.stops().inForce;
     this.stop = null;
-    await this.link.publish(vehicle.id, 'emergency-stop', 'EmergencyStop', {active: false, timestamp: vehicle.now(), operator: this.operator, reason: 'cleared on the web page', lifts}, true);
+    for (const part of parts(lifts)) {
+      await this.link.publish(vehicle.id, 'emergency-stop', 'EmergencyStop', {active: false, timestamp: vehicle.now(), operator: this.operator, reason: 'cleared on the web page', lifts: part}, true);
+    }
     await this.until(() => !vehicle.stops().inForce.some(id => lifts.includes(id)));
     return 'emergency stop cleared';
   }
+}
+
+/** IDs in lists that each fit into a message, of 16 KiB at most. */
+function parts(ids) {
+  const lists = [[]];
+  let left = LIFTS_BYTES;
+  for (const id of ids) {
+    const bytes = new TextEncoder().encode(id).length;
+    if (bytes > left && lists[lists.length - 1].length > 0) {
+      lists.push([]);
+      left = LIFTS_BYTES;
+    }
+    lists[lists.length - 1].push(id);
+    left -= bytes;
+  }
+  return lists;
 }
 
 function randomId() {

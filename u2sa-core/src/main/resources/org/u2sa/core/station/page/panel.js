@@ -92,7 +92,7 @@ export class Panel {
     const inForce = vehicle ? vehicle.stops().inForce : [];
     if (link.state === 'lost') text = `Link lost: ${link.reason}. What you see is old. Reconnecting…`;
     else if (link.isUp && vehicle && vehicle.isStale() && !(vehicle.playback && vehicle.playback.isPaused)) text = `No position from ${vehicle.id} for ${age(vehicle.stateAt)}.`;
-    if (link.budget.skipped > 0) text = text || `${link.budget.skipped} messages are too large to draw.`;
+    if (link.budget.skipped > 0) text = text || `${link.budget.skipped} messages are too large or too many to show.`;
     if (link.unreadable > 0) text = text || `${link.unreadable} messages cannot be read.`;
     if (inForce.length > 0) {
       text = `Emergency stop in force on ${vehicle.id}.`;

@@ -6,9 +6,12 @@ import {texts} from './texts.js';
 export const PLAYBACK = 'Playback';
 const STEP_S = 5;
 
+/** Whether the program that serves this page plays a recording: a message must not claim it, because stops would end. */
+const isRecording = document.documentElement.dataset.shows === 'recording';
+
 /** What a playback says of itself: {position, length, rate, isPaused}; null if it is none. */
 export function playbackOf({serviceName, variables}) {
-  if (serviceName !== PLAYBACK) return null;
+  if (!isRecording || serviceName !== PLAYBACK) return null;
   const variable = name => variables.find(each => each.name === name) || {value: ''};
   const [position, rate, length] = [Number(variable('POSITION').value), Number(variable('RATE').value), variable('POSITION').max];
   return Number.isFinite(position) && Number.isFinite(rate) && Number.isFinite(length) ? {position, length, rate, isPaused: variable('PAUSED').value === 'true'} : null;

@@ -10,6 +10,7 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import org.u2sa.core.communication.limit.Allowance;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.CommunicationException;
+import org.u2sa.messages.contract.ConfigurationTransaction;
 import org.u2sa.messages.contract.ConfigurationTransactionResult;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceOrderResult;
@@ -216,7 +217,9 @@ public final class OrdersUnderWay {
     } else if (message instanceof FenceOrderResult result) {
       answered(result.requestId(), result.accepted(), result.outcome());
     } else if (message instanceof ConfigurationTransactionResult result) {
-      answered(result.requestId(), result.accepted(), result.reason());
+      if (isAsked(result)) {
+        answered(result.requestId(), result.accepted(), result.reason());
+      }
     } else if (message instanceof ServiceOrderResult result) {
       answered(result.requestId(), result.accepted(), result.reason());
     } else if (message instanceof ArmingState state && state.requestId().isPresent()) {
@@ -248,6 +251,14 @@ public final class OrdersUnderWay {
     } else {
       pending.values().forEach(each -> each.take(message));
     }
+  }
+
+  /** Whether the answer comes from the service that was to change. */
+  private boolean isAsked(ConfigurationTransactionResult result) {
+    OrderUnderWay asked = pending.get(result.requestId());
+    return asked != null
+        && asked.order().message() instanceof ConfigurationTransaction change
+        && change.serviceName().equals(result.serviceName());
   }
 
   private void answered(String id, boolean accepted, String text) {
