@@ -31,6 +31,7 @@ class ConfigCommandTest extends CommandFixture {
             directory,
             "rover",
             "org.u2sa.planning.PathPlanner",
+            HastyAnswerer.class.getName(),
             "org.u2sa.estimation.PassThroughStateEstimator");
   }
 
@@ -86,6 +87,13 @@ class ConfigCommandTest extends CommandFixture {
     assertThat(out.toString()).containsPattern("LOITER RADIUS: 500.0 → [0-9.]+ m\n");
     assertThat(run("get", PLANNER, "LOITER RADIUS")).isEqualTo(ExitCode.DONE);
     assertThat(out.toString()).isNotEqualTo("500.0 m\n");
+  }
+
+  /** The other one answers at once, the planner after it has looked at the value. */
+  @Test
+  void set_anotherServiceAnswersThatItIsDone_isRefusedByTheServiceAsked() {
+    assertThat(run("set", PLANNER, "GUIDANCE=NONE")).isNotEqualTo(ExitCode.DONE);
+    assertThat(out + "" + err).contains("NONE").doesNotContain("revision 99");
   }
 
   @Test

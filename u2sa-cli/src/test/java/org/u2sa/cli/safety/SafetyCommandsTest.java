@@ -6,11 +6,13 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.net.InetSocketAddress;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -137,6 +139,17 @@ class SafetyCommandsTest {
     run(new EmergencyStopCommand(), "--reason", "fire");
 
     assertThat(run(new EmergencyStopCommand(), "--clear")).isEqualTo(ExitCode.DONE);
+  }
+
+  @Test
+  void parts_stopsWithLongIds_fitIntoMessagesAndNoneIsLost() {
+    List<String> stops =
+        IntStream.range(0, 64).mapToObj(i -> i + "\u00e4".repeat(900 - i)).toList();
+    List<List<String>> parts = EmergencyStopCommand.parts(stops);
+    assertThat(parts.stream().flatMap(List::stream)).containsExactlyElementsOf(stops);
+    assertThat(parts)
+        .allMatch(part -> String.join("", part).getBytes(StandardCharsets.UTF_8).length <= 12_000);
+    assertThat(EmergencyStopCommand.parts(List.of())).isEmpty();
   }
 
   @Test

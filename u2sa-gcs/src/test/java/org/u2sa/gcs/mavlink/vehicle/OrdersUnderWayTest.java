@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.u2sa.messages.contract.ConfigurationTransaction;
+import org.u2sa.messages.contract.ConfigurationTransactionResult;
 import org.u2sa.messages.mission.MissionAction;
 import org.u2sa.messages.mission.MissionOrder;
 import org.u2sa.messages.safety.ArmCommand;
@@ -110,5 +111,23 @@ class OrdersUnderWayTest {
     station.mission(new MissionOrder().action(MissionAction.PAUSE), this::answer);
     all.step(NOW);
     assertThat(published).hasExactlyElementsOfTypes(MissionOrder.class);
+  }
+
+  @Test
+  void take_answerOfAnotherServiceToAConfiguration_waitsForTheServiceAsked() {
+    all.step(NOW);
+    writeParameters(station, 1);
+    String id = ((ConfigurationTransaction) published.get(0)).requestId();
+    ConfigurationTransactionResult lie =
+        new ConfigurationTransactionResult().requestId(id).serviceName("Liar").accepted(true);
+    all.take(lie.reason("a lie"));
+    all.step(NOW + 100_000);
+    assertThat(answers).isEmpty();
+
+    ConfigurationTransactionResult answer =
+        new ConfigurationTransactionResult().requestId(id).serviceName("Control").accepted(false);
+    all.take(answer.reason("too large"));
+    all.step(NOW + 200_000);
+    assertThat(answers).containsExactly("too large");
   }
 }
