@@ -59,26 +59,32 @@ public final class AllocatingControl extends ControlSystem {
           String actuators,
       @Variable(ifAbsentText = "")
           @Description(
-              "Essential axes, separated by spaces: without them the actuators stay neutral. SURGE, SWAY, HEAVE, ROLL, PITCH, YAW.")
+              "Essential axes, separated by spaces: without them the actuators stay neutral. SURGE,"
+                  + " SWAY, HEAVE, ROLL, PITCH, YAW.")
           String essential,
       @Variable(ifAbsentText = "")
           @Description(
-              "Relative costs of actuators, as \"NAME 4, OTHER NAME 2\"; others cost 1. Costlier actuators are used less.")
+              "Relative costs of actuators, as \"NAME 4, OTHER NAME 2\"; others cost 1. Costlier"
+                  + " actuators are used less.")
           String costs,
       @Variable(ifAbsentText = "PERCENT")
           @Description(
-              "FORCE commands actuators that accept forces in newtons, others in percent; PERCENT commands all in percent.")
+              "FORCE commands actuators that accept forces in newtons, others in percent; PERCENT"
+                  + " commands all in percent.")
           CommandKind commands,
       @Variable(ifAbsentText = "false")
           @Description(
-              "Whether failed or weak actuators are detected from the vehicle's motion and excluded or derated; requires accurate masses.")
+              "Whether failed or weak actuators are detected from the vehicle's motion and excluded"
+                  + " or derated; requires accurate masses.")
           boolean watchesResponse,
       @Variable(unit = "s", min = 1, max = 3600, ifAbsent = 60)
           @Description("Time after which a failed or weak actuator is tried again.")
           double retryTime,
       @Variable(ifAbsentText = "false")
           @Description(
-              "Whether motion comes from an IMU and a velocity log on sensed-state while there are no states. Once both have reported, the actuators are neutral while either is silent.")
+              "Whether motion comes from an IMU and a velocity log on sensed-state while there are"
+                  + " no states. Once both have reported, the actuators are neutral while either is"
+                  + " silent.")
           boolean sensesMotion) {
     Choices {
       axes(essential);
@@ -125,6 +131,7 @@ public final class AllocatingControl extends ControlSystem {
   private long revision = -1;
   private String said = "";
   private final PilotWatch pilot = new PilotWatch(clock());
+  private final StatePace pace = new StatePace();
   private boolean armed = true; // without an arming service, actuators obey
   private boolean waits = true; // until an arming service reports, or none has for WAIT_MICROS
   private boolean stood = cascade.stands(); // on the ground, in the last step
@@ -205,8 +212,19 @@ public final class AllocatingControl extends ControlSystem {
       tuner.abort();
       response.restart();
     }
+    if (tuning.leans()) {
+      lookAtPace(state);
+    }
     fluidMps = motion.get().speedThroughFluidMps(state);
     drive(motion.get(), target(state, point));
+  }
+
+  private void lookAtPace(StateInformation state) {
+    long now = clock().micros();
+    double ageS = Clock.seconds(now - state.timestamp().orElse(now));
+    Optional<String> words = pace.step(tuning, stepS(), ageS);
+    words.ifPresent(late -> remark("pace", late));
+    words.filter(late -> !late.isEmpty()).ifPresent(this::trouble);
   }
 
   private void rememberWhetherItStands() {
