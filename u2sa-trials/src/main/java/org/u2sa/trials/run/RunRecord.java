@@ -10,6 +10,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.u2sa.core.safety.FenceOutline;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.frame.Geodetic;
@@ -22,6 +24,7 @@ import org.u2sa.messages.mission.MissionAction;
 import org.u2sa.messages.mission.MissionOrder;
 import org.u2sa.messages.mission.MissionOrderResult;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.report.score.RunOutcome;
 import org.u2sa.report.score.RunPlan;
 import org.u2sa.report.score.Track;
 import org.u2sa.report.score.TrackSample;
@@ -37,6 +40,7 @@ public final class RunRecord {
   private final List<String> names;
   private final MovedPlan plan;
   private final Track track = new Track();
+  private final Geodetic origin; // of the local frames
   private final Consumer<TrackSample> screen;
   private final Set<String> leftOut = new HashSet<>();
   private final Set<String> done = new HashSet<>();
@@ -61,6 +65,7 @@ public final class RunRecord {
   // goals that an operator's orders name, and whether an order changes thresholds
   private final Map<String, Boolean> updated = new HashMap<>();
   private volatile long readings; // single writer
+  private Optional<FenceRecord> fence = Optional.empty();
 
   /**
    * @param origin of the local frames
@@ -70,6 +75,16 @@ public final class RunRecord {
     this.screen = screen;
     names = plan.waypoints().stream().map(waypoint -> waypoint.name()).toList();
     this.plan = new MovedPlan(plan, origin);
+    this.origin = origin;
+  }
+
+  /**
+   * Judges the following samples by a fence; call before the first.
+   *
+   * @param inForce the fence in force now; another object after each change. Thread-safe
+   */
+  void within(Supplier<FenceOutline> inForce) {
+    fence = Optional.of(new FenceRecord(inForce, origin));
   }
 
   /** Processes goals, goal reports and {@link Channels#MISSION}; false for other messages. */
@@ -185,9 +200,16 @@ public final class RunRecord {
     }
   }
 
-  /** The plan, with waypoints where they were moved to; call like {@link #track}. */
+  /**
+   * The plan, with waypoints where they were moved to and the last fence; call like {@link #track}.
+   */
   RunPlan plan() {
-    return plan.plan();
+    return fence.map(each -> each.fenced(plan.plan())).orElse(plan.plan());
+  }
+
+  /** Copy of an outcome with the fence's breaches; call like {@link #track}. */
+  RunOutcome counted(RunOutcome outcome) {
+    return fence.map(each -> each.counted(outcome)).orElse(outcome);
   }
 
   /** Waypoints that were moved; call like {@link #track}. */
@@ -200,8 +222,8 @@ public final class RunRecord {
     return isStation
         && leg >= 0
         && leg < names.size()
-        && plan().distanceM(leg, longitudeDeg, latitudeDeg)
-            <= plan().waypoints().get(leg).captureRadiusM();
+        && plan.plan().distanceM(leg, longitudeDeg, latitudeDeg)
+            <= plan.plan().waypoints().get(leg).captureRadiusM();
   }
 
   /**
@@ -232,6 +254,7 @@ public final class RunRecord {
       startMicros = micros;
     }
     onLine &= !hasArrived(longitudeDeg, latitudeDeg);
+    fence.ifPresent(each -> each.see(longitudeDeg, latitudeDeg));
     TrackSample sample =
         new TrackSample(
             Clock.seconds(micros - startMicros),
@@ -240,7 +263,9 @@ public final class RunRecord {
             altitudeM,
             headingRad,
             speedMps,
-            onLine ? plan().crossTrackM(leg, longitudeDeg, latitudeDeg) : OptionalDouble.empty(),
+            onLine
+                ? plan.plan().crossTrackM(leg, longitudeDeg, latitudeDeg)
+                : OptionalDouble.empty(),
             leg,
             phase,
             flight);
