@@ -60,8 +60,7 @@ public final class RunRecord {
   private boolean seen = true; // whether there is a sample with the current target
   private long startMicros = NOT_YET;
   private volatile boolean missionOver;
-  private final ReplacedGoals replaced = new ReplacedGoals();
-  private Optional<Set<String>> inForce = Optional.empty(); // unless it is the plan
+  private final OrderedGoals ordered = new OrderedGoals();
   // goals that an operator's orders name, and whether an order changes thresholds
   private final Map<String, Boolean> updated = new HashMap<>();
   private volatile long readings; // single writer
@@ -94,7 +93,7 @@ public final class RunRecord {
       return true;
     }
     if (data instanceof MissionOrderResult result) {
-      replaced.accepted(result).ifPresent(this::replaceBy);
+      ordered.answered(result, done).ifPresent(this::replaceBy);
       return true;
     }
     if (Channels.MISSION.carries(data)) {
@@ -119,26 +118,37 @@ public final class RunRecord {
           .filter(goals::contains)
           .forEach(name -> updated.merge(name, changesThresholds, Boolean::logicalOr));
     }
-    replaced.see(order);
+    ordered.see(order);
   }
 
   private void replaceBy(Set<String> goals) {
     names.stream()
         .filter(name -> !goals.contains(name) && !done.contains(name))
         .forEach(leftOut::add);
-    Set<String> all = new LinkedHashSet<>(done);
-    all.addAll(goals);
-    inForce = Optional.of(all);
+    done.removeAll(goals); // those of the new mission are still to be pursued
   }
 
   /**
-   * Goals to complete: those of a mission that replaced the planned one, and those completed
-   * before; call like {@link #track}.
+   * Goals to complete: those of the planned mission with inserted ones, or of a mission that
+   * replaced it with those completed before; call like {@link #track}.
    *
    * @param planned goals of the mission at the start
    */
   Set<String> goals(Set<String> planned) {
-    return inForce.orElse(planned);
+    return ordered.goals(planned);
+  }
+
+  /**
+   * Violations by goals that were neither completed nor left out; call like {@link #track}.
+   *
+   * @param required goals of the mission at the start that have to be completed unless an operator
+   *     replaced them; those that operators added have to be in any case
+   */
+  public List<String> incomplete(Set<String> required) {
+    return goals(required).stream()
+        .filter(goal -> !done.contains(goal) && !leftOut.contains(goal))
+        .map(goal -> "goal \"" + goal + "\" was not completed")
+        .toList();
   }
 
   /** A report names the goal that the planner pursued among several current ones. */
