@@ -200,11 +200,14 @@ record DemoRun(
     return waypoints == 0 ? outcome : outcome.counting(RunOutcome.WAYPOINTS_LEFT_OUT, waypoints);
   }
 
-  /** Reports limitations of the planner immediately, such as unattainable thresholds. */
+  /**
+   * Reports limitations of the planner and of the map immediately, such as unattainable thresholds
+   * and obstacles that could not be read.
+   */
   private static TroubleLines plannersTroubles(RunningSystem running, RunScreen screen) {
     return new TroubleLines(
         running.communicationManager().transport(),
-        "PathPlanner"::equals,
+        Set.of("PathPlanner", "WorldModeler")::contains,
         STOPWATCH,
         screen::print);
   }
