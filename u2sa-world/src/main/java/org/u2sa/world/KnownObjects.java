@@ -3,6 +3,7 @@ package org.u2sa.world;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.time.Clock;
@@ -22,6 +23,7 @@ final class KnownObjects {
   private final ServiceContext context;
   private final Settings<WorldVariables> settings;
   private List<ObjectDescription> all;
+  private Optional<String> gap = Optional.empty();
   private long sinceMicros; // start time of the motion of the file's moving objects
 
   /** Loads the configured file. */
@@ -53,26 +55,50 @@ final class KnownObjects {
   }
 
   private List<ObjectDescription> read() {
-    List<ObjectDescription> file =
-        settings.get().world().isEmpty()
-            ? List.of()
-            : objects(context.configuration().namedFile(WorldVariables.WORLD));
+    List<ObjectDescription> file = List.of();
+    gap = Optional.empty();
+    if (!settings.get().world().isEmpty()) {
+      WorldFile world = world(context.configuration().namedFile(WorldVariables.WORLD));
+      file = world.objects();
+      gap = gap(world.missing());
+    }
     return settings.get().worldMovers()
         ? file
         : file.stream().filter(object -> !moves(object)).collect(Collectors.toList());
   }
 
+  private Optional<String> gap(List<String> missing) {
+    String more = missing.size() > 1 ? ", and " + (missing.size() - 1) + " more" : "";
+    return missing.stream()
+        .findFirst()
+        .map(
+            words ->
+                "not in the map, but possibly in the way: "
+                    + words
+                    + more
+                    + " (WORLD "
+                    + settings.get().world()
+                    + ")");
+  }
+
+  /** What the file has that may stand in the way, but could not be read; empty if nothing. */
+  Optional<String> gap() {
+    return gap;
+  }
+
   /**
-   * Objects of a file; none if the path is empty.
+   * Checks a file; nothing if the path is empty.
    *
    * @throws org.u2sa.interfaces.BadInputException naming file, line and element
    */
-  List<ObjectDescription> file(String path) {
-    return path.isEmpty() ? List.of() : objects(context.configuration().resolve(path));
+  void check(String path) {
+    if (!path.isEmpty()) {
+      world(context.configuration().resolve(path));
+    }
   }
 
-  private List<ObjectDescription> objects(Path file) {
-    return WorldFile.load(file, context.messageTypes()).objects();
+  private WorldFile world(Path file) {
+    return WorldFile.load(file, context.messageTypes());
   }
 
   private static boolean isAround(ObjectDescription object) {

@@ -79,6 +79,7 @@ public final class WorldModeler extends PeriodicService {
     registerPublisher(Channels.OBJECTS);
     registerPublisher(Channels.GRID);
     known = new KnownObjects(context, settings);
+    tellGap();
     choose();
     subscribe(Channels.STATE, this::onState);
     subscribe(Channels.SENSED_OBJECTS, this::onArrival);
@@ -117,7 +118,7 @@ public final class WorldModeler extends PeriodicService {
   protected Optional<String> configurationRefusal(Map<String, Object> values) {
     try {
       modellers.names((String) values.get(WorldVariables.MODELLERS));
-      known.file((String) values.get(WorldVariables.WORLD));
+      known.check((String) values.get(WorldVariables.WORLD));
       return Optional.empty();
     } catch (IllegalArgumentException | BadInputException e) {
       return Optional.of(e.getMessage());
@@ -130,6 +131,7 @@ public final class WorldModeler extends PeriodicService {
         || variableNames.contains(WorldVariables.WORLD_MOVERS)) {
       if (variableNames.contains(WorldVariables.WORLD)) {
         known.load();
+        tellGap();
       } else {
         known.reload();
       }
@@ -138,6 +140,12 @@ public final class WorldModeler extends PeriodicService {
     if (variableNames.contains(WorldVariables.MODELLERS)) {
       choose();
     }
+  }
+
+  /** Warns of possible obstacles that the map lacks, for as long as its file is in use. */
+  private void tellGap() {
+    remark("WORLD", known.gap().orElse(""));
+    known.gap().ifPresent(this::trouble);
   }
 
   private void onState(StateInformation state) {

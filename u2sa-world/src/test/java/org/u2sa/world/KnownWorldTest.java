@@ -50,6 +50,34 @@ class KnownWorldTest {
     assertThat(world.objects().get(1).x()).isCloseTo(2.0, within(0.11)); // 1 m/s since the start
   }
 
+  @ParameterizedTest
+  @ValueSource(booleans = {true, false})
+  void world_modelNotFound_isWarnedOfAtTheStartAndWhenChanged(boolean atTheStart)
+      throws IOException {
+    Path file =
+        Files.writeString(
+            folder.resolve("house.sdf"),
+            "<sdf version='1.9'><world name='w'><include><uri>model://house</uri></include>"
+                + "</world></sdf>");
+    world.kit.with("MODELLERS", "OBJECTS");
+    if (atTheStart) {
+      world.kit.with("WORLD", file.toString()).start(WorldModeler::new);
+    } else {
+      world.kit.start(WorldModeler::new);
+      world.change("WORLD", file.toString());
+    }
+    world.stand(10);
+
+    assertThat(world.kit.log("WorldModeler"))
+        .anyMatch(
+            line ->
+                line.contains("WARN")
+                    && line.contains(
+                        "not in the map, but possibly in the way: house: model model://house is"
+                            + " not found (WORLD "
+                            + file));
+  }
+
   @Test
   void world_moversNotKnownBeforehand_onlyWhatStandsIsPublished() throws IOException {
     world.kit.with("MODELLERS", "OBJECTS").with("WORLD", mastAndCart().toString());

@@ -140,15 +140,19 @@ final class Fence {
     return altitude.isPresent() ? OptionalDouble.of(altitude.getAsDouble() + byM) : altitude;
   }
 
-  /** The corners of the keep-in area; empty on a local plane, or if there is none. */
-  List<Geodetic> corners() {
-    return keepIn.map(this::corners).orElse(List.of());
+  /**
+   * The corners of the keep-in area; empty if there is none.
+   *
+   * @param local origin of local frames
+   */
+  List<Geodetic> corners(Geodetic local) {
+    return keepIn.map(area -> corners(area, local)).orElse(List.of());
   }
 
-  /** The corners of each keep-out area; no corners on a local plane. */
-  List<List<Geodetic>> keepOutCorners() {
+  /** The corners of each keep-out area; as {@link #corners(Geodetic)}. */
+  List<List<Geodetic>> keepOutCorners(Geodetic local) {
     List<List<Geodetic>> areas = new ArrayList<>();
-    keepOuts.forEach(area -> areas.add(corners(area)));
+    keepOuts.forEach(area -> areas.add(corners(area, local)));
     return areas;
   }
 
@@ -214,12 +218,10 @@ final class Fence {
     return origin.isPresent() ? ReferenceFrame.GLOBAL : ReferenceFrame.LOCAL_ENU;
   }
 
-  private List<Geodetic> corners(Polygon area) {
+  private List<Geodetic> corners(Polygon area, Geodetic local) {
     List<Geodetic> corners = new ArrayList<>();
-    if (origin.isPresent()) {
-      for (Coordinate corner : area.getExteriorRing().getCoordinates()) {
-        corners.add(onGround(origin.get(), Point.of(corner.x, corner.y, 0.0)));
-      }
+    for (Coordinate corner : area.getExteriorRing().getCoordinates()) {
+      corners.add(onGround(origin.orElse(local), Point.of(corner.x, corner.y, 0.0)));
     }
     return corners;
   }

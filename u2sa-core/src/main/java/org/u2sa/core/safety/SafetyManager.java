@@ -15,7 +15,6 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.contract.ServiceCondition;
-import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.safety.ArmCommand;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.EmergencyStop;
@@ -135,16 +134,9 @@ public final class SafetyManager extends PeriodicService {
     }
   }
 
-  /**
-   * Corners of the keep-in area, without FENCE MARGIN; empty without a global fence. Thread-safe.
-   */
-  public List<Geodetic> fenceCorners() {
-    return fenceWatch.whole().map(Fence::corners).orElse(List.of());
-  }
-
-  /** Corners of each keep-out area; as {@link #fenceCorners}. */
-  public List<List<Geodetic>> keepOutCorners() {
-    return fenceWatch.whole().map(Fence::keepOutCorners).orElse(List.of());
+  /** The fence in force. Thread-safe. */
+  public FenceOutline fence() {
+    return fenceWatch.outline();
   }
 
   /** Rejects an unreadable fence and, while armed, names that have not reported. */

@@ -99,13 +99,14 @@ class FenceTest {
   }
 
   @Test
-  void corners_onTheEarth_areThoseOfThePolygonAndOnALocalPlaneNone() {
-    Geodetic first = fence(Optional.of(ZURICH)).corners().get(0);
+  void corners_onTheEarthOrOnALocalPlane_areThoseOfThePolygon() {
+    List<Geodetic> onTheEarth = fence(Optional.of(ZURICH)).corners(new Geodetic(0.0, 0.0, 0.0));
+    Geodetic first = onTheEarth.get(0);
     Point seen = Fence.plane(ZURICH, first.longitudeDeg(), first.latitudeDeg());
 
     assertThat(Math.abs(seen.x())).isCloseTo(100.0, within(0.01));
     assertThat(Math.abs(seen.y())).isCloseTo(100.0, within(0.01));
-    assertThat(fence(Optional.empty()).corners()).isEmpty();
+    assertThat(fence(Optional.empty()).corners(ZURICH)).isEqualTo(onTheEarth);
   }
 
   @Test
@@ -121,7 +122,7 @@ class FenceTest {
             OptionalDouble.empty(),
             List.of());
 
-    assertThat(fence.drawnInBy(0.0).keepOutCorners())
+    assertThat(fence.drawnInBy(0.0).keepOutCorners(ZURICH))
         .singleElement(as(InstanceOfAssertFactories.list(Geodetic.class)))
         .hasSize(5)
         .allSatisfy(
@@ -194,7 +195,8 @@ class FenceTest {
     assertThatThrownBy(() -> fence.drawnInBy(50.0))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage(
-            "more than 10000 pairs of sides of its areas cross or are within twice a margin of 50 m, or it has too many sides to compare them; expected fewer corners");
+            "more than 10000 pairs of sides of its areas cross or are within twice a margin of 50"
+                + " m, or it has too many sides to compare them; expected fewer corners");
     assertThat(allows(fence.drawnInBy(0.01), 2000.0, 0.0)).isTrue();
   }
 
@@ -246,7 +248,7 @@ class FenceTest {
             + "<corner><x>8.51</x><y>47.41</y></corner></keepOut>";
     Fence fence = GivenFence.of("f", "<fence>" + near + far + "</fence>", 0.0).fence();
 
-    Geodetic first = fence.keepOutCorners().get(1).get(0);
+    Geodetic first = fence.keepOutCorners(ZURICH).get(1).get(0);
     assertThat(first.distanceM(new Geodetic(8.5 + farDeg, 47.4 + farDeg, first.altitudeM())))
         .isLessThan(0.1);
   }

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.contract.ConfigurationChange;
 import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.safety.ArmCommand;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.EmergencyStop;
@@ -178,9 +179,9 @@ class SafetyManagerStateTest extends WatchedVehicle {
   }
 
   @Test
-  void fenceCorners_onTheEarth_areThoseOfTheKeepInAreaWithoutItsMargin() throws IOException {
+  void fence_onTheEarth_areThoseOfTheKeepInAreaWithoutItsMargin() throws IOException {
     kit.with("FENCE", fence("Global", "0.001")).with("FENCE MARGIN", 20.0);
-    assertThat(startManager().fenceCorners())
+    assertThat(startManager().fence().keepIn(new Geodetic(5.0, 5.0, 0.0)))
         .hasSize(5)
         .allMatch(corner -> Math.abs(Math.abs(corner.latitudeDeg()) - 0.001) < 1e-9)
         .allMatch(corner -> Math.abs(Math.abs(corner.longitudeDeg()) - 0.001) < 1e-9);

@@ -2,27 +2,35 @@ package org.u2sa.report.score;
 
 import java.util.List;
 
-/** Number of times a vehicle left its fence, by ground truth. */
-final class FenceBreaches {
-  private FenceBreaches() {}
+/** Counts how often a vehicle left the fence then in force, by ground truth. */
+public final class FenceBreaches {
+  private boolean wasInside = true;
+  private boolean hadFence;
+  private int count;
 
   /**
-   * Counts the times the track leaves the keep-in area or enters a keep-out area, including a start
-   * outside or inside one, respectively. Altitudes are ignored.
+   * Processes a sample. Leaving the keep-in area or entering a keep-out area counts, as does a
+   * vehicle that is first seen outside or inside one, respectively. Altitudes are ignored.
+   *
+   * @param keepIn corners of the keep-in area now in force; empty if none
+   * @param keepOuts corners of each keep-out area now in force
    */
-  static int count(RunPlan plan, List<TrackSample> track) {
-    int breaches = 0;
-    boolean wasInside = true;
-    for (TrackSample sample : track) {
-      double longitude = sample.longitudeDeg();
-      double latitude = sample.latitudeDeg();
-      boolean isInside =
-          (plan.fence().isEmpty() || contains(plan.fence(), longitude, latitude))
-              && plan.keepOuts().stream().noneMatch(area -> contains(area, longitude, latitude));
-      breaches += wasInside && !isInside ? 1 : 0;
-      wasInside = isInside;
-    }
-    return breaches;
+  public void see(
+      List<RunPlan.Corner> keepIn,
+      List<List<RunPlan.Corner>> keepOuts,
+      double longitudeDeg,
+      double latitudeDeg) {
+    hadFence |= !keepIn.isEmpty() || !keepOuts.isEmpty();
+    boolean isInside =
+        (keepIn.isEmpty() || contains(keepIn, longitudeDeg, latitudeDeg))
+            && keepOuts.stream().noneMatch(area -> contains(area, longitudeDeg, latitudeDeg));
+    count += wasInside && !isInside ? 1 : 0;
+    wasInside = isInside;
+  }
+
+  /** Copy of an outcome with the number of breaches, if there was a fence. */
+  public RunOutcome countedIn(RunOutcome outcome) {
+    return hadFence ? outcome.counting(RunOutcome.FENCE_BREACHES, count) : outcome;
   }
 
   /** Whether a ray to the east crosses the outline an odd number of times. */

@@ -31,6 +31,9 @@ public record RunOutcome(
   /** Number of waypoints that operators moved; they are scored where they were moved to. */
   public static final String WAYPOINTS_MOVED = "waypointsMoved";
 
+  /** How often the vehicle left the fence then in force; absent if there was none. */
+  public static final String FENCE_BREACHES = "fenceBreaches";
+
   /** Number of tasks in the rules. */
   public static final String TASKS = "tasks";
 

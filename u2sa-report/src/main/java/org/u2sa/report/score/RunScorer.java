@@ -10,16 +10,10 @@ import org.u2sa.messages.frame.Geodetic;
 public final class RunScorer {
   private static final double SHORTEST_LEG_M = 1.0; // a shorter leg has no direction
 
-  private static final String FENCE_BREACHES = "fenceBreaches";
-
   private RunScorer() {}
 
   /** Scores the run {@code track} of {@code plan}. */
-  public static RunScore score(RunPlan plan, List<TrackSample> track, RunOutcome judged) {
-    RunOutcome outcome =
-        plan.fence().isEmpty() && plan.keepOuts().isEmpty()
-            ? judged
-            : judged.counting(FENCE_BREACHES, FenceBreaches.count(plan, track));
+  public static RunScore score(RunPlan plan, List<TrackSample> track, RunOutcome outcome) {
     List<WaypointResult> results = new ArrayList<>();
     for (int leg = 0; leg < plan.waypoints().size(); leg++) {
       results.add(WaypointResult.of(plan.waypoints().get(leg), leg, track));

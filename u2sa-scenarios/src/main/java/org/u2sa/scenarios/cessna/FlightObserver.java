@@ -2,6 +2,7 @@ package org.u2sa.scenarios.cessna;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.u2sa.control.fixedwing.ControlStatus;
 import org.u2sa.control.fixedwing.FlightPhase;
@@ -121,6 +122,6 @@ final class FlightObserver extends EventDrivenService implements RunObserver {
         record.landingsMissed().stream()
             .map(uid -> "landing \"" + uid + "\" was not completed")
             .toList();
-    return new RunOutcome(crashed ? 1 : 0, stalled, missed);
+    return new RunOutcome(crashed ? 1 : 0, stalled, missed).breaking(record.incomplete(Set.of()));
   }
 }

@@ -24,7 +24,9 @@ import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.trials.run.Demo;
 import org.u2sa.trials.run.DemoFrame;
 import org.u2sa.trials.run.VehicleTrial;
+import org.u2sa.trials.run.WorldGaps;
 import org.u2sa.vision.camera.CourseCamera;
+import org.u2sa.world.xml.WorldFile;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -138,6 +140,9 @@ final class IgvcDemo implements Callable<Integer>, Demo {
 
   @Override
   public Integer call() throws InterruptedException, IOException {
+    if (courseFile != null) {
+      WorldGaps.tell(WorldFile.load(courseFile), frame.terminal().out()::println);
+    }
     return frame.run(this);
   }
 

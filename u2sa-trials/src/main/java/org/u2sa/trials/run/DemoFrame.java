@@ -18,6 +18,7 @@ import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.mission.Mission;
 import org.u2sa.report.score.RunPlan;
 import org.u2sa.report.summary.RunReport;
+import org.u2sa.world.xml.WorldFile;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
@@ -88,6 +89,9 @@ public final class DemoFrame {
     Path file = options.mission().orElseGet(() -> demo.ownMission(system, changed));
     Mission mission = VehicleMission.load(system, changed, file);
     loiterM = VehicleMission.loiterRadiusM(system, changed);
+    demo.world()
+        .map(WorldFile::load)
+        .ifPresent(world -> WorldGaps.tell(world, terminal().out()::println));
     demo.check(plan(demo, mission)); // report errors before anything is created
     return new RunLoop(options, command.commandLine().getOut())
         .run(

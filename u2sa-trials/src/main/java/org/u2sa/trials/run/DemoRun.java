@@ -17,6 +17,7 @@ import org.u2sa.cli.terminal.Terminal;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.RunningSystem;
 import org.u2sa.core.launch.SystemFile;
+import org.u2sa.core.safety.FenceOutline;
 import org.u2sa.core.safety.SafetyManager;
 import org.u2sa.gcs.remote.LocalSystems;
 import org.u2sa.interfaces.RunFailedException;
@@ -24,7 +25,6 @@ import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.interfaces.time.SystemClock;
-import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.report.score.RunDetails;
 import org.u2sa.report.score.RunOutcome;
 import org.u2sa.report.score.RunPlan;
@@ -141,6 +141,9 @@ record DemoRun(
       RunObserver observer =
           maker.make(
               running.contextFor(XmlConfiguration.inMemory("RunObserver", Map.of())), plan, screen);
+      if (fence(running).isPresent()) {
+        observer.record().within(() -> fence(running).orElseThrow());
+      }
       observer.service().start();
       Optional<SwapOperator> operator = startOperator(running, screen);
       interruption.breakingOff(simulated::start);
@@ -168,9 +171,9 @@ record DemoRun(
               OptionalInt.of(pursued.size()),
               OptionalInt.of(completed),
               safety.interventions()),
-          fenced(observer.record().plan(), running),
+          observer.record().plan(),
           observer.record().track(),
-          outcome(observer).breaking(refusals(operator)));
+          observer.record().counted(outcome(observer)).breaking(refusals(operator)));
     }
   }
 
@@ -197,11 +200,14 @@ record DemoRun(
     return waypoints == 0 ? outcome : outcome.counting(RunOutcome.WAYPOINTS_LEFT_OUT, waypoints);
   }
 
-  /** Reports limitations of the planner immediately, such as unattainable thresholds. */
+  /**
+   * Reports limitations of the planner and of the map immediately, such as unattainable thresholds
+   * and obstacles that could not be read.
+   */
   private static TroubleLines plannersTroubles(RunningSystem running, RunScreen screen) {
     return new TroubleLines(
         running.communicationManager().transport(),
-        "PathPlanner"::equals,
+        Set.of("PathPlanner", "WorldModeler")::contains,
         STOPWATCH,
         screen::print);
   }
@@ -216,23 +222,13 @@ record DemoRun(
         .announce(system.systemId(), running.communicationManager().address(), screen::print);
   }
 
-  private static RunPlan fenced(RunPlan plan, RunningSystem running) {
+  /** The fence of the running Safety Manager, also of a restarted or swapped one. */
+  private static Optional<FenceOutline> fence(RunningSystem running) {
     return running.services().stream()
         .filter(SafetyManager.class::isInstance)
         .map(SafetyManager.class::cast)
         .findFirst()
-        .map(
-            manager ->
-                plan.within(
-                    corners(manager.fenceCorners()),
-                    manager.keepOutCorners().stream().map(DemoRun::corners).toList()))
-        .orElse(plan);
-  }
-
-  private static List<RunPlan.Corner> corners(List<Geodetic> places) {
-    return places.stream()
-        .map(place -> new RunPlan.Corner(place.longitudeDeg(), place.latitudeDeg()))
-        .toList();
+        .map(SafetyManager::fence);
   }
 
   private Optional<SwapOperator> startOperator(RunningSystem running, RunScreen screen) {

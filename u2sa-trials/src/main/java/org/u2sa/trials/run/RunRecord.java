@@ -10,6 +10,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.u2sa.core.safety.FenceOutline;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.frame.Geodetic;
@@ -22,6 +24,7 @@ import org.u2sa.messages.mission.MissionAction;
 import org.u2sa.messages.mission.MissionOrder;
 import org.u2sa.messages.mission.MissionOrderResult;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.report.score.RunOutcome;
 import org.u2sa.report.score.RunPlan;
 import org.u2sa.report.score.Track;
 import org.u2sa.report.score.TrackSample;
@@ -37,6 +40,7 @@ public final class RunRecord {
   private final List<String> names;
   private final MovedPlan plan;
   private final Track track = new Track();
+  private final Geodetic origin; // of the local frames
   private final Consumer<TrackSample> screen;
   private final Set<String> leftOut = new HashSet<>();
   private final Set<String> done = new HashSet<>();
@@ -56,11 +60,11 @@ public final class RunRecord {
   private boolean seen = true; // whether there is a sample with the current target
   private long startMicros = NOT_YET;
   private volatile boolean missionOver;
-  private final ReplacedGoals replaced = new ReplacedGoals();
-  private Optional<Set<String>> inForce = Optional.empty(); // unless it is the plan
+  private final OrderedGoals ordered = new OrderedGoals();
   // goals that an operator's orders name, and whether an order changes thresholds
   private final Map<String, Boolean> updated = new HashMap<>();
   private volatile long readings; // single writer
+  private Optional<FenceRecord> fence = Optional.empty();
 
   /**
    * @param origin of the local frames
@@ -70,6 +74,16 @@ public final class RunRecord {
     this.screen = screen;
     names = plan.waypoints().stream().map(waypoint -> waypoint.name()).toList();
     this.plan = new MovedPlan(plan, origin);
+    this.origin = origin;
+  }
+
+  /**
+   * Judges the following samples by a fence; call before the first.
+   *
+   * @param inForce the fence in force now; another object after each change. Thread-safe
+   */
+  void within(Supplier<FenceOutline> inForce) {
+    fence = Optional.of(new FenceRecord(inForce, origin));
   }
 
   /** Processes goals, goal reports and {@link Channels#MISSION}; false for other messages. */
@@ -79,7 +93,7 @@ public final class RunRecord {
       return true;
     }
     if (data instanceof MissionOrderResult result) {
-      replaced.accepted(result).ifPresent(this::replaceBy);
+      ordered.answered(result, done).ifPresent(this::replaceBy);
       return true;
     }
     if (Channels.MISSION.carries(data)) {
@@ -104,26 +118,37 @@ public final class RunRecord {
           .filter(goals::contains)
           .forEach(name -> updated.merge(name, changesThresholds, Boolean::logicalOr));
     }
-    replaced.see(order);
+    ordered.see(order);
   }
 
   private void replaceBy(Set<String> goals) {
     names.stream()
         .filter(name -> !goals.contains(name) && !done.contains(name))
         .forEach(leftOut::add);
-    Set<String> all = new LinkedHashSet<>(done);
-    all.addAll(goals);
-    inForce = Optional.of(all);
+    done.removeAll(goals); // those of the new mission are still to be pursued
   }
 
   /**
-   * Goals to complete: those of a mission that replaced the planned one, and those completed
-   * before; call like {@link #track}.
+   * Goals to complete: those of the planned mission with inserted ones, or of a mission that
+   * replaced it with those completed before; call like {@link #track}.
    *
    * @param planned goals of the mission at the start
    */
   Set<String> goals(Set<String> planned) {
-    return inForce.orElse(planned);
+    return ordered.goals(planned);
+  }
+
+  /**
+   * Violations by goals that were neither completed nor left out; call like {@link #track}.
+   *
+   * @param required goals of the mission at the start that have to be completed unless an operator
+   *     replaced them; those that operators added have to be in any case
+   */
+  public List<String> incomplete(Set<String> required) {
+    return goals(required).stream()
+        .filter(goal -> !done.contains(goal) && !leftOut.contains(goal))
+        .map(goal -> "goal \"" + goal + "\" was not completed")
+        .toList();
   }
 
   /** A report names the goal that the planner pursued among several current ones. */
@@ -185,9 +210,16 @@ public final class RunRecord {
     }
   }
 
-  /** The plan, with waypoints where they were moved to; call like {@link #track}. */
+  /**
+   * The plan, with waypoints where they were moved to and the last fence; call like {@link #track}.
+   */
   RunPlan plan() {
-    return plan.plan();
+    return fence.map(each -> each.fenced(plan.plan())).orElse(plan.plan());
+  }
+
+  /** Copy of an outcome with the fence's breaches; call like {@link #track}. */
+  RunOutcome counted(RunOutcome outcome) {
+    return fence.map(each -> each.counted(outcome)).orElse(outcome);
   }
 
   /** Waypoints that were moved; call like {@link #track}. */
@@ -200,8 +232,8 @@ public final class RunRecord {
     return isStation
         && leg >= 0
         && leg < names.size()
-        && plan().distanceM(leg, longitudeDeg, latitudeDeg)
-            <= plan().waypoints().get(leg).captureRadiusM();
+        && plan.plan().distanceM(leg, longitudeDeg, latitudeDeg)
+            <= plan.plan().waypoints().get(leg).captureRadiusM();
   }
 
   /**
@@ -232,6 +264,7 @@ public final class RunRecord {
       startMicros = micros;
     }
     onLine &= !hasArrived(longitudeDeg, latitudeDeg);
+    fence.ifPresent(each -> each.see(longitudeDeg, latitudeDeg));
     TrackSample sample =
         new TrackSample(
             Clock.seconds(micros - startMicros),
@@ -240,7 +273,9 @@ public final class RunRecord {
             altitudeM,
             headingRad,
             speedMps,
-            onLine ? plan().crossTrackM(leg, longitudeDeg, latitudeDeg) : OptionalDouble.empty(),
+            onLine
+                ? plan.plan().crossTrackM(leg, longitudeDeg, latitudeDeg)
+                : OptionalDouble.empty(),
             leg,
             phase,
             flight);

@@ -2,6 +2,7 @@ package org.u2sa.trials.run;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -168,8 +169,7 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
 
   @Override
   public RunOutcome outcome() {
-    record.leftOut().forEach(scorer::leftOut);
-    return scorer.outcome();
+    return scorer.outcome().breaking(record.incomplete(scorer.required()));
   }
 
   /**
@@ -186,8 +186,10 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
     /** Processes a report on a goal. */
     default void reported(GoalInformation report) {}
 
-    /** Processes a goal omitted because enough others were chosen; before the outcome. */
-    default void leftOut(String goal) {}
+    /** Goals of the mission at the start that the rules require to be completed. */
+    default Set<String> required() {
+      return Set.of();
+    }
 
     /** Additional channels besides goals, goal reports and arming state. */
     default List<Channel<?>> listensTo() {

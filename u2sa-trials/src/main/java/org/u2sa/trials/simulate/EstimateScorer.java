@@ -1,7 +1,5 @@
 package org.u2sa.trials.simulate;
 
-import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -14,7 +12,6 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
-import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.report.score.RunOutcome;
 import org.u2sa.sim.vehicle.RunningVehicle;
@@ -35,7 +32,6 @@ final class EstimateScorer implements TruthObserver.Scorer {
   private final Clock clock;
   private final Set<String> goals;
   private final int unplaced;
-  private final Set<String> completed = new HashSet<>(); // or omitted by choice
   private final ZoneWatch zones;
   private final Errors position = new Errors();
   private final Errors altitude = new Errors();
@@ -94,15 +90,8 @@ final class EstimateScorer implements TruthObserver.Scorer {
   }
 
   @Override
-  public void reported(GoalInformation report) {
-    if (report.completed()) {
-      completed.add(report.uid());
-    }
-  }
-
-  @Override
-  public void leftOut(String goal) {
-    completed.add(goal);
+  public Set<String> required() {
+    return goals;
   }
 
   @Override
@@ -166,17 +155,10 @@ final class EstimateScorer implements TruthObserver.Scorer {
 
   @Override
   public RunOutcome outcome() {
-    List<String> violations = new ArrayList<>();
-    for (String goal : goals) {
-      if (!completed.contains(goal)) {
-        violations.add("goal \"" + goal + "\" was not completed");
-      }
-    }
-    violations.addAll(zones.violations());
     Map<String, Integer> counts = new LinkedHashMap<>();
     counts.put(RunOutcome.GOALS_WITHOUT_PLACE, unplaced);
     counts.putAll(zones.counts());
-    return new RunOutcome(run.contacts().size(), false, violations, counts, figures());
+    return new RunOutcome(run.contacts().size(), false, zones.violations(), counts, figures());
   }
 
   private Map<String, Double> figures() {

@@ -54,7 +54,10 @@ final class CheckCommand implements Callable<Integer> {
     }
     simulated.movers().forEach(mover -> out.println("  mover " + mover));
     simulated.zones().forEach(zone -> out.println("  " + zone));
-    world.ignored().forEach(words -> out.println("  not read: " + words));
+    for (String words : world.ignored()) {
+      boolean isMissing = world.missing().contains(words);
+      out.println((isMissing ? "  not read, but possibly in the way: " : "  not read: ") + words);
+    }
     return ExitCode.DONE;
   }
 

@@ -134,6 +134,61 @@ class RunRecordTest {
     assertThat(record.leftOut()).isEmpty();
   }
 
+  private void order(String id, MissionAction action, String... goals) {
+    String xml = "<mission>" + String.join("", goals) + "</mission>";
+    record.received(new MissionOrder().requestId(id).action(action).goals(xml));
+    record.received(new MissionOrderResult().requestId(id).accepted(true));
+  }
+
+  private static String named(String name) {
+    return "<waypoint><name>" + name + "</name></waypoint>";
+  }
+
+  @Test
+  void incomplete_goalsOfAReplacement_areThoseNotCompletedSince() {
+    record.received(new Waypoint().uid("a").completed(true));
+    order("7", MissionAction.REPLACE, named("a"), named("c"), named("d"));
+    record.received(new Waypoint().uid("c").completed(true));
+
+    assertThat(record.incomplete(Set.of("a", "b")))
+        .containsExactly("goal \"a\" was not completed", "goal \"d\" was not completed");
+    assertThat(record.completed(Set.of("a", "b"))).containsExactly("c");
+  }
+
+  @Test
+  void incomplete_orderRepeated_keepsWhatWasCompletedSince() {
+    order("7", MissionAction.REPLACE, named("c"));
+    record.received(new Waypoint().uid("c").completed(true));
+    order("7", MissionAction.REPLACE, named("c"));
+    assertThat(record.incomplete(Set.of("a"))).isEmpty();
+  }
+
+  @Test
+  void incomplete_goalWithoutAPlaceThatAReplacementDropped_doesNotCount() {
+    order("7", MissionAction.REPLACE, named("c"));
+    record.received(new Waypoint().uid("c").completed(true));
+    assertThat(record.incomplete(Set.of("take off", "a", "b"))).isEmpty();
+  }
+
+  @Test
+  void goals_insertedOnesWithoutNames_haveTheFirstFreeNumbers() {
+    order("7", MissionAction.INSERT, "<waypoint/>", named("2"), "<waypoint/>");
+    record.received(new Waypoint().uid("a").completed(true));
+    assertThat(record.goals(Set.of("a", "1"))).containsExactlyInAnyOrder("a", "1", "2", "3", "4");
+    assertThat(record.incomplete(Set.of("a")))
+        .as("numbers free beside \"a\" alone")
+        .containsExactly(
+            "goal \"1\" was not completed",
+            "goal \"2\" was not completed",
+            "goal \"3\" was not completed");
+  }
+
+  @Test
+  void goals_replacementWithoutNames_areTheirNumbersInTheFile() {
+    order("7", MissionAction.REPLACE, "<home/>", named("c"), "<waypoint/>");
+    assertThat(record.goals(Set.of("a"))).containsExactly("c", "2");
+  }
+
   private WaypointResult resultOfB() {
     return RunScorer.score(
             record.plan(), record.track().samples(), new RunOutcome(0, false, List.of()))

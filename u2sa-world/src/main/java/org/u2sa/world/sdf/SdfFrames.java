@@ -1,7 +1,6 @@
 package org.u2sa.world.sdf;
 
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -21,14 +20,14 @@ final class SdfFrames {
   private static final int DEEPEST = 64; // maximum depth of poses relative to each other
 
   private final Map<String, XmlElement> named = new HashMap<>();
-  private final List<String> ignored;
+  private final SdfOmissions omissions;
 
   /**
-   * @param ignored receives the poses whose frame is not found, which are read as relative to the
+   * @param omissions receives the poses whose frame is not found, which are read as relative to the
    *     scope
    */
-  SdfFrames(XmlElement scope, List<String> ignored) {
-    this.ignored = ignored;
+  SdfFrames(XmlElement scope, SdfOmissions omissions) {
+    this.omissions = omissions;
     for (XmlElement each : scope.children()) {
       if (NAMED.contains(each.name())) {
         each.optionalAttribute("name").ifPresent(name -> named.putIfAbsent(name, each));
@@ -68,7 +67,7 @@ final class SdfFrames {
     int inner = named.containsKey(frame) ? -1 : frame.indexOf(INSIDE);
     XmlElement found = named.get(inner < 0 ? frame : frame.substring(0, inner));
     if (found == null) {
-      ignored.add(path + ": pose relative to " + frame + ", which is not found");
+      omissions.obstacle(path + ": pose relative to " + frame + ", which is not found");
       return SdfPose.NONE;
     }
     SdfPose pose = of(found, path, depth + 1);
@@ -76,7 +75,7 @@ final class SdfFrames {
       return pose;
     }
     String rest = frame.substring(inner + INSIDE.length());
-    return pose.then(new SdfFrames(found, ignored).named(rest, path, depth + 1));
+    return pose.then(new SdfFrames(found, omissions).named(rest, path, depth + 1));
   }
 
   /** Pose of a model in its placement frame. */
@@ -87,7 +86,7 @@ final class SdfFrames {
             : "";
     return frame.isEmpty()
         ? SdfPose.NONE
-        : new SdfFrames(element, ignored).named(frame, path, depth + 1).inverse();
+        : new SdfFrames(element, omissions).named(frame, path, depth + 1).inverse();
   }
 
   private static Optional<String> relativeTo(XmlElement element) {

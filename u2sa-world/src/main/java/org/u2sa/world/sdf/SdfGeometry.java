@@ -22,14 +22,14 @@ final class SdfGeometry {
   private static final double FLAT_M = 1e-3; // thickness of flat shapes
 
   private final SdfMesh meshes;
-  private final List<String> ignored;
+  private final SdfOmissions omissions;
 
   /**
-   * @param ignored receives elements that cannot be objects, with the reason
+   * @param omissions receives elements that cannot be objects, with the reason
    */
-  SdfGeometry(SdfMesh meshes, List<String> ignored) {
+  SdfGeometry(SdfMesh meshes, SdfOmissions omissions) {
     this.meshes = meshes;
-    this.ignored = ignored;
+    this.omissions = omissions;
   }
 
   /**
@@ -60,13 +60,16 @@ final class SdfGeometry {
         case "mesh":
           return mesh(shape, pose, name);
         case "plane":
-          ignored.add(name + ": a plane; the ground is the simulation's");
+          omissions.harmless(name + ": a plane; the ground is the simulation's");
           return Optional.empty();
         case "heightmap":
-          ignored.add(name + ": a heightmap; give it as <environment> of a world file");
+          omissions.obstacle(name + ": a heightmap; give it as <environment> of a world file");
+          return Optional.empty();
+        case "empty":
+          omissions.harmless(name + ": <empty> in line " + shape.line());
           return Optional.empty();
         default:
-          ignored.add(name + ": <" + shape.name() + "> in line " + shape.line());
+          omissions.obstacle(name + ": <" + shape.name() + "> in line " + shape.line());
       }
     }
     return Optional.empty();
@@ -131,7 +134,7 @@ final class SdfGeometry {
     try {
       meshes.points(shape).forEach(each -> points.add(pose.place(each)));
     } catch (IOException e) {
-      ignored.add(name + ": mesh " + shape.requiredChild("uri").text() + e.getMessage());
+      omissions.obstacle(name + ": mesh " + shape.requiredChild("uri").text() + e.getMessage());
       return Optional.empty();
     }
     return hull(points, name);
@@ -140,7 +143,7 @@ final class SdfGeometry {
   private Optional<ObjectDescription> hull(List<Point> points, String name) {
     List<Point> outline = ConvexHull.of(points);
     if (outline.size() < 3) {
-      ignored.add(name + ": has no extent, seen from above");
+      omissions.obstacle(name + ": has no extent, seen from above");
       return Optional.empty();
     }
     return Optional.of(prism(points, outline));

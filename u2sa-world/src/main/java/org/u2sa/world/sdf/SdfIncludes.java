@@ -22,16 +22,16 @@ final class SdfIncludes {
 
   private final SdfResources resources;
   private final ReadBudget budget;
-  private final List<String> ignored;
+  private final SdfOmissions omissions;
   private final Map<Path, XmlElement> read = new HashMap<>();
 
   /**
-   * @param ignored receives the includes that are not found or faulty
+   * @param omissions receives the includes that are not found or faulty
    */
-  SdfIncludes(SdfResources resources, ReadBudget budget, List<String> ignored) {
+  SdfIncludes(SdfResources resources, ReadBudget budget, SdfOmissions omissions) {
     this.resources = resources;
     this.budget = budget;
-    this.ignored = ignored;
+    this.omissions = omissions;
   }
 
   /**
@@ -74,7 +74,7 @@ final class SdfIncludes {
             .filter(Files::isRegularFile)
             .filter(resources::isInside);
     if (file.isEmpty()) {
-      ignored.add(name + ": model " + uri + " is not found");
+      omissions.obstacle(name + ": model " + uri + " is not found");
       return List.of();
     }
     try {
@@ -86,7 +86,7 @@ final class SdfIncludes {
       return read.computeIfAbsent(file.get(), path -> XmlReader.read(path, "sdf"))
           .children("model");
     } catch (BadInputException e) { // a third-party model may be faulty
-      ignored.add(name + ": " + e.getMessage());
+      omissions.obstacle(name + ": " + e.getMessage());
       return List.of();
     }
   }

@@ -22,14 +22,14 @@ public final class SdfWorld {
   private final SdfIncludes includes;
   private final SdfGeometry geometry;
   private final List<ObjectDescription> objects = new ArrayList<>();
-  private final List<String> ignored = new ArrayList<>();
+  private final SdfOmissions omissions = new SdfOmissions();
   private final Map<String, Integer> names = new HashMap<>();
 
   private SdfWorld(Path file, Map<String, String> environment) {
     SdfResources resources = new SdfResources(file, environment);
     ReadBudget budget = new ReadBudget(file);
-    includes = new SdfIncludes(resources, budget, ignored);
-    geometry = new SdfGeometry(new SdfMesh(resources, budget), ignored);
+    includes = new SdfIncludes(resources, budget, omissions);
+    geometry = new SdfGeometry(new SdfMesh(resources, budget), omissions);
   }
 
   /** Whether a file is to be read as SDFormat, by its name. */
@@ -66,7 +66,7 @@ public final class SdfWorld {
   }
 
   private void all(XmlElement parent, SdfPose frame, String path, Map<String, SdfPose> states) {
-    SdfFrames frames = new SdfFrames(parent, ignored);
+    SdfFrames frames = new SdfFrames(parent, omissions);
     for (XmlElement child : parent.children()) {
       switch (child.name()) {
         case "model" -> {
@@ -75,9 +75,14 @@ public final class SdfWorld {
           SdfPose own = saved == null ? frames.of(child, path + name) : saved;
           model(child, frame.then(own), path + name);
         }
-        case "actor", "road", "population", "joint" -> {
+        case "actor", "population" -> {
           if (path.isEmpty()) {
-            ignored.add(child.name() + " in line " + child.line());
+            omissions.obstacle(child.name() + " in line " + child.line());
+          }
+        }
+        case "road", "joint" -> {
+          if (path.isEmpty()) {
+            omissions.harmless(child.name() + " in line " + child.line());
           }
         }
         default -> {
@@ -88,7 +93,7 @@ public final class SdfWorld {
   }
 
   private void model(XmlElement model, SdfPose frame, String path) {
-    SdfFrames frames = new SdfFrames(model, ignored);
+    SdfFrames frames = new SdfFrames(model, omissions);
     for (XmlElement link : model.children("link")) {
       String name = path + "/" + link.optionalAttribute("name").orElse("link");
       List<XmlElement> solid = link.children("collision");
@@ -120,6 +125,11 @@ public final class SdfWorld {
 
   /** Elements of the file that do not become objects, and why. */
   public List<String> ignored() {
-    return List.copyOf(ignored);
+    return omissions.all();
+  }
+
+  /** Those of {@link #ignored()} that may stand in the way. */
+  public List<String> missing() {
+    return omissions.obstacles();
   }
 }

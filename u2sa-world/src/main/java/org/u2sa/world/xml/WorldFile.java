@@ -40,6 +40,7 @@ public final class WorldFile {
   private final List<Scripted> zones;
   private final Optional<XmlElement> environment;
   private final List<String> ignored;
+  private final List<String> missing;
 
   /**
    * An object in an element that simulations read.
@@ -54,12 +55,14 @@ public final class WorldFile {
       List<Scripted> movers,
       List<Scripted> zones,
       Optional<XmlElement> environment,
-      List<String> ignored) {
+      List<String> ignored,
+      List<String> missing) {
     this.objects = List.copyOf(objects);
     this.movers = List.copyOf(movers);
     this.zones = List.copyOf(zones);
     this.environment = environment;
     this.ignored = List.copyOf(ignored);
+    this.missing = List.copyOf(missing);
   }
 
   /**
@@ -81,7 +84,8 @@ public final class WorldFile {
   public static WorldFile load(Path file, MessageTypes types) {
     if (SdfWorld.isSdf(file)) {
       SdfWorld sdf = SdfWorld.read(file, System.getenv());
-      return new WorldFile(sdf.objects(), List.of(), List.of(), Optional.empty(), sdf.ignored());
+      return new WorldFile(
+          sdf.objects(), List.of(), List.of(), Optional.empty(), sdf.ignored(), sdf.missing());
     }
     return parse(XmlReader.read(file, "world"), types);
   }
@@ -109,7 +113,12 @@ public final class WorldFile {
       }
     }
     return new WorldFile(
-        objects, scripted.get(MOVER), scripted.get(ZONE), root.child(ENVIRONMENT), List.of());
+        objects,
+        scripted.get(MOVER),
+        scripted.get(ZONE),
+        root.child(ENVIRONMENT),
+        List.of(),
+        List.of());
   }
 
   private static ObjectDescription object(
@@ -211,6 +220,11 @@ public final class WorldFile {
   /** Elements of a Gazebo world that do not become objects, and why. */
   public List<String> ignored() {
     return ignored;
+  }
+
+  /** Those of {@link #ignored()} that may stand in the way, such as models that are not found. */
+  public List<String> missing() {
+    return missing;
   }
 
   /** Object with the given UID; empty if none. */
