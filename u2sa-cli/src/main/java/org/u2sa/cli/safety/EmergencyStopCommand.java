@@ -34,8 +34,8 @@ import picocli.CommandLine.Option;
     description = {
       "Stop everything that moves, immediately, until the stop is cleared.",
       "",
-      "Every actuator, including those started later, goes neutral and refuses all commands until"
-          + " estop --clear. An aircraft glides, its surfaces neutral and its engine idling.",
+      "Every actuator, including those started later, goes neutral and refuses all commands until estop --clear. An aircraft "
+          + "glides, its surfaces neutral and its engine idling.",
       "",
       "Without --system the stop is sent to every system at the broker that the user may "
           + "command, as soon as each is discovered; "

@@ -55,9 +55,8 @@ import picocli.CommandLine.Spec;
     description = {
       "Serve a simulated vehicle as an IOIO board, to a phone or a program on the network.",
       "",
-      "In real time, until Ctrl-C. Connect the application via menu, Settings, Network, or a system"
-          + " via CONNECTION = tcp:HOST:PORT of IoioService (docs/android.md). One host at a time;"
-          + " without one the motors get no pulses."
+      "In real time, until Ctrl-C. Connect the application via menu, Settings, Network, or a system via CONNECTION = tcp:HOST:PORT of IoioService "
+          + "(docs/android.md). One host at a time; without one the motors get no pulses."
     })
 final class BoardCommand implements Callable<Integer> {
   private static final int PORT = 4545; // IOIOLib's
@@ -81,16 +80,14 @@ final class BoardCommand implements Callable<Integer> {
       paramLabel = "ADDRESS[:PORT]",
       defaultValue = "127.0.0.1:4545",
       description =
-          "Where to listen (default: ${DEFAULT-VALUE}); port 0: any. Addresses other than this"
-              + " host's own need --security.")
+          "Where to listen (default: ${DEFAULT-VALUE}); port 0: any. Addresses other than this host's own need --security.")
   private String listen;
 
   @Option(
       names = "--security",
       paramLabel = "FOLDER",
       description =
-          "Folder created by ./u2sa security init: only its users with the role control are served,"
-              + " over TLS.")
+          "Folder created by ./u2sa security init: only its users with the role control are served, over TLS.")
   private Path security; // null for none
 
   @Option(
@@ -104,8 +101,7 @@ final class BoardCommand implements Callable<Integer> {
       paramLabel = "SECONDS",
       defaultValue = "5",
       description =
-          "Time without a byte after which a host counts as gone (default: ${DEFAULT-VALUE} s); 0:"
-              + " never.")
+          "Time without a byte after which a host counts as gone (default: ${DEFAULT-VALUE} s); 0: never.")
   private double silentAfterS;
 
   @Option(names = "--world", paramLabel = "FILE", description = "World XML file. Default: nothing.")
@@ -116,8 +112,7 @@ final class BoardCommand implements Callable<Integer> {
       paramLabel = "LONGITUDE,LATITUDE[,HEADING]",
       split = ",",
       description =
-          "Where the vehicle starts [deg], at the altitude of the mission's home. Default: the"
-              + " home, else 0, 0 heading north.")
+          "Where the vehicle starts [deg], at the altitude of the mission's home. Default: the home, else 0, 0 heading north.")
   private double[] start; // null if not given
 
   @Option(
@@ -136,8 +131,7 @@ final class BoardCommand implements Callable<Integer> {
       names = "--serial",
       paramLabel = "FOLDER",
       description =
-          "Offer the vehicle's serial devices, gps and compass, as serial ports in this folder."
-              + " Needs socat.")
+          "Offer the vehicle's serial devices, gps and compass, as serial ports in this folder. Needs socat.")
   private Path serial; // null for none
 
   @Option(
@@ -160,9 +154,9 @@ final class BoardCommand implements Callable<Integer> {
       throw new BadInputException(
           "--listen "
               + listen
-              + " opens the board to a network, but it has neither users nor encryption: ./u2sa"
-              + " security init creates both in the folder security; pass it with --security, or"
-              + " use --allow-insecure-network");
+              + " opens the board to a network, but it has neither users nor encryption: "
+              + "./u2sa security init creates both in the folder security; pass it with --security, "
+              + "or use --allow-insecure-network");
     }
     VehicleFile vehicle = changes.load(vehicleFile);
     Place place = place();
@@ -206,8 +200,7 @@ final class BoardCommand implements Callable<Integer> {
           || !(Math.abs(start[0]) <= 180.0 && Math.abs(start[1]) <= 85.0)
           || start.length == 3 && !Double.isFinite(start[2])) {
         throw new BadInputException(
-            "--start: expected LONGITUDE,LATITUDE[,HEADING] in degrees, at most 85 degrees north or"
-                + " south");
+            "--start: expected LONGITUDE,LATITUDE[,HEADING] in degrees, at most 85 degrees north or south");
       }
       return new Place(
           new Geodetic(start[0], start[1], at.altitudeM()),
@@ -358,8 +351,7 @@ final class BoardCommand implements Callable<Integer> {
             .collect(Collectors.joining(", "));
     return String.format(
         Locale.ROOT,
-        "%.1f s: longitude %.7f, latitude %.7f, altitude %.2f m, heading %.1f deg, %.2f m/s; %s;"
-            + " contacts %d; host %s",
+        "%.1f s: longitude %.7f, latitude %.7f, altitude %.2f m, heading %.1f deg, %.2f m/s; %s; contacts %d; host %s",
         truth.timeS(),
         at.longitudeDeg(),
         at.latitudeDeg(),

@@ -47,9 +47,8 @@ import picocli.CommandLine.Spec;
     description = {
       "Run a system file with a simulated vehicle of your own, from a vehicle file.",
       "",
-      "The services are those of the system file, unchanged; their devices are the vehicle's"
-          + " (docs/vehicle-files.md). The vehicle starts at the mission's home. The command acts"
-          + " as operator and arms the vehicle."
+      "The services are those of the system file, unchanged; their devices are the vehicle's (docs/vehicle-files.md). The vehicle starts at "
+          + "the mission's home. The command acts as operator and arms the vehicle."
     })
 final class SimulateCommand implements Callable<Integer>, Demo {
   private static final double READY_WITHIN_S = 120.0;
@@ -82,8 +81,7 @@ final class SimulateCommand implements Callable<Integer>, Demo {
       paramLabel = "LONGITUDE,LATITUDE[,HEADING]",
       split = ",",
       description =
-          "Where the vehicle starts, at the altitude of the mission's home, and the origin of local"
-              + " frames [deg]. Default: the home.")
+          "Where the vehicle starts, at the altitude of the mission's home, and the origin of local frames [deg]. Default: the home.")
   private double[] start; // null for the mission's home
 
   @Option(
@@ -110,8 +108,7 @@ final class SimulateCommand implements Callable<Integer>, Demo {
             || start.length > 3
             || !(Math.abs(start[0]) <= 180.0 && Math.abs(start[1]) <= 85.0))) {
       throw wrong(
-          "--start: expected LONGITUDE,LATITUDE[,HEADING] in degrees, at most 85 degrees north or"
-              + " south");
+          "--start: expected LONGITUDE,LATITUDE[,HEADING] in degrees, at most 85 degrees north or south");
     }
     vehicle = changes.load(vehicleFile);
     return frame.run(this);
