@@ -56,14 +56,14 @@ final class EndOfMission {
   void handOver(HandOver state) {
     held.ifPresent(place -> place.handOver(state, "HELD"));
     if (held.isPresent()) {
-      circle.handOver(state);
+      circle.handOver(state, "HELD CIRCLE");
     }
   }
 
   /** Resumes holding where the previous planner held. */
   void takeOver(HandOver state) {
     held = Place.takenOver(state, "HELD");
-    circle.takeOver(state);
+    circle.takeOver(state, "HELD CIRCLE");
   }
 
   /** Discards the holding position because a goal is pursued again. */

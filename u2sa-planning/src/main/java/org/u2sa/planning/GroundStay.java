@@ -43,7 +43,7 @@ final class GroundStay {
   private boolean wasLed; // since it was armed
   private boolean takesOff; // its missions contain take-offs
   private boolean returns;
-  private List<Boolean> told = List.of(false, false, false, false);
+  private List<Boolean> told = List.of(false, false, false, false, false);
   private boolean descends; // is being led to a landing
   private boolean touchesDown; // a multirotor, at its end
   private long firstLed = NEVER;
@@ -60,7 +60,7 @@ final class GroundStay {
 
   /** Whether something has changed that must survive a restart; once for each change. */
   boolean isNews() {
-    List<Boolean> now = List.of(left, landed, takesOff, wasLed);
+    List<Boolean> now = List.of(left, landed, takesOff, wasLed, climbs);
     boolean isNews = !now.equals(told);
     told = now;
     return isNews;
@@ -68,16 +68,37 @@ final class GroundStay {
 
   void handOver(HandOver state) {
     state.flag("LEFT GROUND", left).flag("LANDED", landed).flag("TAKES OFF", takesOff);
-    state.flag("WAS LED", wasLed);
+    state.flag("WAS LED", wasLed).flag("CLIMBS STRAIGHT", climbs).text("AT GROUND", atGround);
+    state.flag("DESCENDS", descends).flag("TOUCHES DOWN", touchesDown);
+    climbHeadingRad.ifPresent(heading -> state.number("CLIMB HEADING", heading));
+    risesToM.ifPresent(upM -> state.number("RISES TO", upM));
+    if (firstLed != NEVER) {
+      state.number("FIRST LED", Clock.seconds(firstLed));
+    }
     stoodAt.ifPresent(place -> place.handOver(state, "STOOD AT"));
   }
 
-  void takeOver(HandOver state) {
+  /**
+   * Continues for a predecessor.
+   *
+   * @param isSwap whether what was saved is that of now
+   */
+  void takeOver(HandOver state, boolean isSwap) {
     left = state.flag("LEFT GROUND");
     landed = state.flag("LANDED");
     takesOff = state.flag("TAKES OFF");
     wasLed = state.flag("WAS LED");
     stoodAt = Place.takenOver(state, "STOOD AT");
+    climbs = state.flag("CLIMBS STRAIGHT");
+    if (isSwap) {
+      atGround = state.text("AT GROUND").orElse("");
+      descends = state.flag("DESCENDS");
+      touchesDown = state.flag("TOUCHES DOWN");
+      climbHeadingRad = state.number("CLIMB HEADING");
+      risesToM = state.number("RISES TO");
+      OptionalDouble led = state.number("FIRST LED");
+      firstLed = led.isPresent() ? Clock.micros(led.getAsDouble()) : NEVER;
+    }
   }
 
   void heed(ArmingState state) {

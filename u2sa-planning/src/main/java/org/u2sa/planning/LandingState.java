@@ -2,6 +2,7 @@ package org.u2sa.planning;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.OptionalDouble;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
@@ -12,6 +13,7 @@ import org.u2sa.planning.flight.FlightVariables;
 import org.u2sa.planning.guidance.LineSettings;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * {@link Landing}: descends along a straight approach or vertically; completed when the vehicle has
@@ -42,6 +44,24 @@ final class LandingState implements PlannerState {
 
     /** Distance from the position beyond which the vehicle has landed elsewhere [m]. */
     double farM(Landing goal);
+
+    /** What must not begin again near the ground; empty for the rest. */
+    String manoeuvre();
+
+    void handOver(HandOver state);
+
+    /**
+     * Continues the descent of the previous planner.
+     *
+     * @return false if nothing was handed over
+     */
+    boolean takeOver(HandOver state);
+
+    /**
+     * Whether the vehicle can continue a {@linkplain #manoeuvre} that was {@linkplain #takeOver
+     * taken over}.
+     */
+    boolean isStillIn(String manoeuvre, Landing goal, Vehicle vehicle);
   }
 
   private final Detour detour;
@@ -53,6 +73,7 @@ final class LandingState implements PlannerState {
   private double sinceDownM; // remaining height then [m]
   private boolean touches; // or is on the ground
   private double fellMps; // greatest sink rate while low
+  private String told = ""; // manoeuvre
 
   LandingState(
       Detour detour,
@@ -86,8 +107,45 @@ final class LandingState implements PlannerState {
     touches = false;
     fellMps = 0.0;
     sinceMicros = Long.MIN_VALUE;
+    told = "";
     Vehicle vehicle = Vehicle.of(pursuit.state()).orElseThrow();
     descent().begin((Landing) pursuit.goal(), pursuit.state(), vehicle);
+  }
+
+  @Override
+  public boolean isNews() {
+    boolean isNews = !told.equals(descent().manoeuvre());
+    told = descent().manoeuvre();
+    return isNews;
+  }
+
+  @Override
+  public void resume(HandOver state, Pursuit pursuit) {
+    Landing goal = (Landing) pursuit.goal();
+    Vehicle vehicle = Vehicle.of(pursuit.state()).orElseThrow();
+    boolean isTaken = descent().takeOver(state);
+    if (!isTaken || !descent().isStillIn(descent().manoeuvre(), goal, vehicle)) {
+      descent().begin(goal, pursuit.state(), vehicle);
+    }
+  }
+
+  @Override
+  public void handOver(HandOver state) {
+    descent().handOver(state);
+    state.flag("TOUCHES", touches).number("FELL", fellMps);
+    if (sinceMicros != Long.MIN_VALUE) {
+      state.number("STILL SINCE", Clock.seconds(sinceMicros)).number("STILL AT", sinceDownM);
+    }
+  }
+
+  @Override
+  public boolean takeOver(HandOver state) {
+    touches = state.flag("TOUCHES");
+    fellMps = state.number("FELL").orElse(0.0);
+    OptionalDouble since = state.number("STILL SINCE");
+    sinceMicros = since.isPresent() ? Clock.micros(since.getAsDouble()) : Long.MIN_VALUE;
+    sinceDownM = state.number("STILL AT").orElse(0.0);
+    return descent().takeOver(state);
   }
 
   @Override

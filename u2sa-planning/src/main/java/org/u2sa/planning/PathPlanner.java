@@ -80,6 +80,7 @@ public class PathPlanner extends EventDrivenService {
   private final ViewPoints view = new ViewPoints(settings(ViewPoints.Variables.class));
   private Optional<GoalInformation> goal = Optional.empty(); // goal being pursued
   private Optional<Place> holdAt = Optional.empty(); // last goal position reached or abandoned
+  private Optional<HandOver> interrupted = Optional.empty(); // by a restart
   private String foreseen = ""; // UID of the goal expected next
   private long stateMicros = Long.MIN_VALUE; // arrival of the last state
 
@@ -230,9 +231,10 @@ public class PathPlanner extends EventDrivenService {
 
   @Override
   protected final void takeOver(HandOver state) {
-    ground.takeOver(state);
+    ground.takeOver(state, state.isFresh(nowS()));
     if (!state.isFresh(nowS())) {
-      return; // the goals arrive again
+      interrupted = Optional.of(state); // the goals arrive again
+      return;
     }
     orders.takeOver(state);
     reports.takeOver(state);
@@ -375,7 +377,8 @@ public class PathPlanner extends EventDrivenService {
     } catch (IllegalArgumentException e) {
       remarks.refuse(e.getMessage() + ": no navigation points");
     }
-    if (ground.isNews()) {
+    boolean isOfGoal = goal.flatMap(states::forGoal).filter(PlannerState::isNews).isPresent();
+    if (ground.isNews() || isOfGoal) {
       remember();
     }
   }
@@ -491,6 +494,10 @@ public class PathPlanner extends EventDrivenService {
       states.substitution(chosen).ifPresent(this::trouble);
       remarks.judgeThreshold(chosen, state);
       planner.get().enter(pursuit);
+      interrupted
+          .filter(before -> isOf(before, chosen))
+          .ifPresent(before -> planner.get().resume(before, pursuit));
+      interrupted = Optional.empty();
       checks.begin();
       reports.forget();
     }
@@ -542,6 +549,13 @@ public class PathPlanner extends EventDrivenService {
     Optional<String> why = blocked.or(() -> slow.filter(reason -> !orders.isReturning()));
     boolean goesOn = next.progress() == Plan.Progress.UNDER_WAY;
     return goesOn && why.isPresent() ? Plan.unless(why, next.points()) : next;
+  }
+
+  private static boolean isOf(HandOver before, GoalInformation chosen) {
+    return before
+        .message("GOAL", GoalInformation.class)
+        .filter(goal -> goal.uid().equals(chosen.uid()) && goal.getClass() == chosen.getClass())
+        .isPresent();
   }
 
   private void show(PlannedPath path, StateInformation state) {

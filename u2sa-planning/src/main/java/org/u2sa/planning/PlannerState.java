@@ -45,6 +45,20 @@ public interface PlannerState {
    */
   double distanceM(GoalInformation goal, StateInformation state);
 
+  /** Whether a restarted planner must know of a change of this state; once for each change. */
+  default boolean isNews() {
+    return false;
+  }
+
+  /**
+   * Resumes a manoeuvre that a restart has interrupted, after {@link #enter} for the same goal, if
+   * the vehicle is still in it.
+   *
+   * @param state written by {@link #handOver} at the last {@linkplain #isNews news}, possibly long
+   *     ago
+   */
+  default void resume(HandOver state, Pursuit pursuit) {}
+
   /** Saves the state of the current pursuit for the planner that takes over. */
   default void handOver(HandOver state) {}
 

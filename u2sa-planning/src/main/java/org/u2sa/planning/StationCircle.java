@@ -120,28 +120,30 @@ final class StationCircle {
     detour.begin();
   }
 
-  void handOver(HandOver state) {
+  /** Saves the circle under a name: a vehicle may hold on another one than that of its goal. */
+  void handOver(HandOver state, String name) {
     if (circle == null) {
       return;
     }
-    circle.handOver(state);
-    place.ifPresent(centre -> centre.handOver(state, "STATION CENTRE"));
+    circle.handOver(state, name);
+    place.ifPresent(centre -> centre.handOver(state, name + " CENTRE"));
     state
-        .number("STATION RADIUS", givenM)
-        .number("STATION TURNED", turnedRad)
-        .number("STATION WIDER", widerM);
+        .number(name + " GIVEN", givenM)
+        .number(name + " TURNED", turnedRad)
+        .number(name + " WIDER", widerM);
     if (sinceMicros != Long.MIN_VALUE) {
-      state.number("STATION SINCE", Clock.seconds(sinceMicros));
+      state.number(name + " SINCE", Clock.seconds(sinceMicros));
     }
   }
 
-  void takeOver(HandOver state) {
-    place = Place.takenOver(state, "STATION CENTRE");
-    circle = LoiterCircle.takenOver(state).orElse(null);
-    givenM = state.number("STATION RADIUS").orElse(0.0);
-    turnedRad = state.number("STATION TURNED").orElse(0.0);
-    widerM = state.number("STATION WIDER").orElse(0.0);
-    OptionalDouble since = state.number("STATION SINCE");
+  /** Continues the circle saved under a name. */
+  void takeOver(HandOver state, String name) {
+    place = Place.takenOver(state, name + " CENTRE");
+    circle = LoiterCircle.takenOver(state, name).orElse(null);
+    givenM = state.number(name + " GIVEN").orElse(0.0);
+    turnedRad = state.number(name + " TURNED").orElse(0.0);
+    widerM = state.number(name + " WIDER").orElse(0.0);
+    OptionalDouble since = state.number(name + " SINCE");
     sinceMicros = since.isPresent() ? Clock.micros(since.getAsDouble()) : Long.MIN_VALUE;
     farthestRad = Double.NEGATIVE_INFINITY;
     bearingRad = Double.NaN;

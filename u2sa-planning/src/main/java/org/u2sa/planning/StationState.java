@@ -122,7 +122,7 @@ final class StationState implements PlannerState {
     state.text("STATION PHASE", phase.name());
     here.ifPresent(place -> place.handOver(state, "STATION BEGAN"));
     if (circle.isCircling()) {
-      circle.handOver(state);
+      circle.handOver(state, "CIRCLE");
       return;
     }
     if (sinceMicros != Long.MIN_VALUE) {
@@ -141,7 +141,7 @@ final class StationState implements PlannerState {
     guidance.begin(Optional.empty());
     guidance.takeOver(state);
     here = Place.takenOver(state, "STATION BEGAN");
-    circle.takeOver(state);
+    circle.takeOver(state, "CIRCLE");
     heading.takeOver(state);
     way.begin();
     patience.begin(state.number("STATION NEAR").orElse(0.0));

@@ -19,6 +19,7 @@ import org.u2sa.planning.guidance.LineSettings;
 import org.u2sa.planning.guidance.LineSettings.AltitudeProfile;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Landing of an aeroplane: to a point on the extended centreline, around obstacles if the planner
@@ -46,6 +47,7 @@ final class StraightApproach implements LandingState.Descent {
   private static final int ATTEMPTS = 3;
   private static final int BREAK_OFFS = 6;
   private static final double MIN_BREAK_OFF_M = 20.0; // above the position
+  private static final String CLIMBS = "CLIMBS";
   private static final int DIRECTIONS = 12;
 
   private enum Phase {
@@ -128,7 +130,7 @@ final class StraightApproach implements LandingState.Descent {
   public Plan plan(Landing goal, StateInformation state, Vehicle vehicle) {
     Place place = Place.of(goal);
     double lengthM = goal.approach().orElse(settings.get().approachLength());
-    double slope = Math.tan(goal.slope().orElse(Math.toRadians(settings.get().approachSlope())));
+    double slope = slope(goal);
     double highM = place.upM().orElseThrow() + lengthM * slope;
     boolean isHigh = phase != Phase.DOWN || vehicle.nedOf(place).z() > MIN_BREAK_OFF_M;
     boolean isMoved = phase == Phase.DOWN && hasMoved(vehicle, place);
@@ -202,6 +204,75 @@ final class StraightApproach implements LandingState.Descent {
   @Override
   public double farM(Landing goal) {
     return Math.max(FAR_M, FAR_RADII * radiusM);
+  }
+
+  @Override
+  public String manoeuvre() {
+    return climbs ? CLIMBS : phase == Phase.DOWN ? phase.name() : "";
+  }
+
+  @Override
+  public void handOver(HandOver state) {
+    state.text("APPROACH PHASE", phase.name());
+    state.number("APPROACHES", attempts).number("BREAK-OFFS", breakOffs).number("LEAD", lead);
+    state.flag("LEAVES LINE", leaves).flag("CLIMBS FIRST", climbs);
+    psi.ifPresent(given -> state.number("LANDING HEADING", given));
+    state.number("LANDING COURSE", courseRad).number("TURN RADIUS", radiusM);
+    if (touchDown != null) {
+      touchDown.handOver(state, "TOUCH-DOWN");
+    }
+    if (passedMicros != NOT_YET) {
+      state.number("PASSED POSITION", Clock.seconds(passedMicros)).number("PASSED AT", passedMps);
+    }
+    guidance.handOver(state);
+    circle.handOver(state, "CIRCLE");
+  }
+
+  @Override
+  public boolean takeOver(HandOver state) {
+    Optional<Phase> taken = state.text("APPROACH PHASE").map(Phase::valueOf);
+    touchDown = Place.takenOver(state, "TOUCH-DOWN").orElse(null);
+    if (taken.isEmpty() || taken.get() == Phase.DOWN && touchDown == null) {
+      return false;
+    }
+    phase = taken.get();
+    attempts = (int) state.number("APPROACHES").orElse(1.0);
+    breakOffs = (int) state.number("BREAK-OFFS").orElse(0.0);
+    lead = (int) state.number("LEAD").orElse(0.0);
+    leaves = state.flag("LEAVES LINE");
+    climbs = state.flag("CLIMBS FIRST");
+    psi = state.number("LANDING HEADING");
+    courseRad = state.number("LANDING COURSE").orElseThrow();
+    radiusM = state.number("TURN RADIUS").orElseThrow();
+    OptionalDouble passed = state.number("PASSED POSITION");
+    passedMicros = passed.isPresent() ? Clock.micros(passed.getAsDouble()) : NOT_YET;
+    passedMps = state.number("PASSED AT").orElse(0.0);
+    guidance.begin(Optional.empty());
+    guidance.takeOver(state);
+    circle.takeOver(state, "CIRCLE");
+    detour.begin();
+    return true;
+  }
+
+  /** {@inheritDoc} A descent, along its line before or on the runway; a climb straight on. */
+  @Override
+  public boolean isStillIn(String manoeuvre, Landing goal, Vehicle vehicle) {
+    if (manoeuvre.equals(CLIMBS)) {
+      return true; // until it is high enough
+    }
+    Point to = vehicle.nedOf(Place.of(goal));
+    double lengthM = goal.approach().orElse(settings.get().approachLength());
+    double remainingM = to.x() * Math.cos(courseRad) + to.y() * Math.sin(courseRad);
+    double accuracyM = settings.get().approachAccuracy();
+    boolean isOnSlope = remainingM < lengthM + accuracyM && remainingM > -ROLL_OUT_M;
+    return manoeuvre.equals(Phase.DOWN.name())
+        && isOnSlope
+        && isAlong(vehicle, to)
+        && to.z() < slope(goal) * Math.max(0.0, remainingM) + accuracyM;
+  }
+
+  private double slope(Landing goal) {
+    return Math.tan(goal.slope().orElse(Math.toRadians(settings.get().approachSlope())));
   }
 
   /** Whether it has passed the position without touching down, which would have slowed it. */
@@ -330,10 +401,14 @@ final class StraightApproach implements LandingState.Descent {
   /** Whether the vehicle flies along the line, at the entry or beyond it. */
   private boolean isOnLine(Vehicle vehicle, Point toEntry) {
     double toGoM = toEntry.x() * Math.cos(courseRad) + toEntry.y() * Math.sin(courseRad);
-    double acrossM = toEntry.x() * Math.sin(courseRad) - toEntry.y() * Math.cos(courseRad);
+    return toGoM < settings.get().approachAccuracy() && isAlong(vehicle, toEntry);
+  }
+
+  /** Whether the vehicle flies along the line through a point. */
+  private boolean isAlong(Vehicle vehicle, Point to) {
+    double acrossM = to.x() * Math.sin(courseRad) - to.y() * Math.cos(courseRad);
     double turn = Math.IEEEremainder(vehicle.courseRad() - courseRad, 2.0 * Math.PI);
-    double accuracyM = settings.get().approachAccuracy();
-    return toGoM < accuracyM && Math.abs(acrossM) < accuracyM && Math.abs(turn) < ALONG_RAD;
+    return Math.abs(acrossM) < settings.get().approachAccuracy() && Math.abs(turn) < ALONG_RAD;
   }
 
   private Plan again(String off, Point body) {

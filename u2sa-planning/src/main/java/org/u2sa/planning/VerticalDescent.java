@@ -15,6 +15,7 @@ import org.u2sa.planning.guidance.LineGuidance;
 import org.u2sa.planning.guidance.LineSettings;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Landing of a multirotor: level flight to above the position, then descent. It rises straight up
@@ -26,6 +27,7 @@ final class VerticalDescent implements LandingState.Descent {
   private static final double SLOW_BELOW_M = 4.0; // height above the ground given by the goal
   private static final double FAR_M = 10.0; // from the position
   private static final double LOW_M = 3.0; // height up to which it must not lean
+  private static final String DOWN = "DOWN";
 
   private final Detour detour;
   private final Supplier<FlightVariables> settings;
@@ -110,5 +112,40 @@ final class VerticalDescent implements LandingState.Descent {
   @Override
   public double farM(Landing goal) {
     return Math.max(FAR_M, goal.horizontalThreshold());
+  }
+
+  @Override
+  public String manoeuvre() {
+    return above ? DOWN : "";
+  }
+
+  @Override
+  public void handOver(HandOver state) {
+    state.flag("ABOVE", above).flag("RISES", rises).number("LANDING FROM", altitudeM);
+    aimedAt.ifPresent(place -> place.handOver(state, "LANDING AT"));
+    guidance.handOver(state);
+  }
+
+  @Override
+  public boolean takeOver(HandOver state) {
+    if (state.number("LANDING FROM").isEmpty()) {
+      return false;
+    }
+    guidance.begin(Optional.empty());
+    guidance.takeOver(state);
+    detour.begin();
+    above = state.flag("ABOVE");
+    rises = state.flag("RISES");
+    altitudeM = state.number("LANDING FROM").getAsDouble();
+    aimedAt = Place.takenOver(state, "LANDING AT");
+    return true;
+  }
+
+  /** {@inheritDoc} Otherwise it might lift off again, being a little aside. */
+  @Override
+  public boolean isStillIn(String manoeuvre, Landing goal, Vehicle vehicle) {
+    Point to = vehicle.nedOf(Place.of(goal));
+    return manoeuvre.equals(DOWN)
+        && Math.hypot(to.x(), to.y()) <= goal.horizontalThreshold() + ASIDE_M;
   }
 }

@@ -12,13 +12,17 @@ import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FailsafeState;
 
 /** A planner that avoids obstacles and does not know its surroundings. */
 class PlannerBlindTest extends PlannedVehicle {
-  private void start(String planner) {
-    kit.with("PLANNER", planner).with("WORLD STALE AFTER", 2.0).start(PathPlanner::new);
+  private PathPlanner planner;
+
+  private void start(String routes) {
+    kit.with("PLANNER", routes).with("WORLD STALE AFTER", 2.0);
+    planner = kit.start(PathPlanner::new);
     goals(waypoint("1", 50, 0));
   }
 
@@ -146,6 +150,22 @@ class PlannerBlindTest extends PlannedVehicle {
     assertThat(pointsIn(10)).isEqualTo(10);
     assertThat(point().y()).as("abeam, not towards the goal ahead").isNotZero();
     assertThat(logged("stands: no data from the World Modeler")).isEqualTo(1);
+  }
+
+  /** It circles for its goal's sake and for the lost world's: two circles. */
+  @Test
+  void swap_aircraftThatHoldsBlindAtItsStation_circlesOn() {
+    startAircraft();
+    Station station = new Station();
+    station.uid("S").referenceFrame(ReferenceFrame.LOCAL_NED).x(800.0).y(0.0);
+    goals(station.horizontalThreshold(50.0));
+    empty();
+    pointsIn(30);
+    Point before = point();
+    kit.swap(planner, PathPlanner::new);
+
+    assertThat(pointsIn(1)).isEqualTo(1);
+    assertThat(point()).isEqualTo(before);
   }
 
   @ParameterizedTest

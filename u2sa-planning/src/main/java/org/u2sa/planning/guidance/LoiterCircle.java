@@ -42,22 +42,22 @@ public final class LoiterCircle {
     this.sense = sense;
   }
 
-  /** Saves the circle for the planner that takes over. */
-  public void handOver(HandOver state) {
-    centre.handOver(state, "CIRCLE");
-    state.number("CIRCLE RADIUS", radiusM).number("CIRCLE SENSE", sense);
+  /** Saves the circle under a name for the planner that takes over. */
+  public void handOver(HandOver state, String name) {
+    centre.handOver(state, name);
+    state.number(name + " RADIUS", radiusM).number(name + " SENSE", sense);
   }
 
-  /** Circle of the previous planner; empty if none. */
-  public static Optional<LoiterCircle> takenOver(HandOver state) {
-    return state.number("CIRCLE RADIUS").isPresent()
-        ? Place.takenOver(state, "CIRCLE")
+  /** Circle that the previous planner saved under a name; empty if none. */
+  public static Optional<LoiterCircle> takenOver(HandOver state, String name) {
+    return state.number(name + " RADIUS").isPresent()
+        ? Place.takenOver(state, name)
             .map(
                 centre ->
                     new LoiterCircle(
                         centre,
-                        state.number("CIRCLE RADIUS").getAsDouble(),
-                        state.number("CIRCLE SENSE").orElse(1.0)))
+                        state.number(name + " RADIUS").getAsDouble(),
+                        state.number(name + " SENSE").orElse(1.0)))
         : Optional.empty();
   }
 
