@@ -526,9 +526,25 @@ public class PathPlanner extends EventDrivenService {
     }
     avoidance.news().ifPresent(path -> show(path, state));
     rightOfWay.news().ifPresent(path -> show(path, state));
+    turnInsideFence(plan.points(), chosen, state);
     List<NavigationPoint> points = view.with(plan.points(), chosen, state);
     remarks.resolved();
     return points;
+  }
+
+  /** On the way home, a turning circle may lead over the fence that has stopped the vehicle. */
+  private void turnInsideFence(
+      List<NavigationPoint> points, GoalInformation to, StateInformation state) {
+    Optional<Place> home =
+        orders.isReturning() && settings.get().loiterRadius() == 0.0
+            ? WaypointState.placeOf(Optional.of(to)).filter(Place::isHorizontal)
+            : Optional.<Place>empty();
+    Optional<NavigationPoint> own =
+        points.stream().filter(point -> point.subsystem().equals("VEHICLE")).findFirst();
+    Optional<Vehicle> vehicle = Vehicle.of(state);
+    if (own.isPresent() && vehicle.isPresent()) {
+      avoidance.turnInsideFence(vehicle.get(), state, own.get(), home);
+    }
   }
 
   /** The step, or an evasion of traffic. */

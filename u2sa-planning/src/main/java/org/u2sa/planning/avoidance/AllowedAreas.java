@@ -67,11 +67,20 @@ final class AllowedAreas {
       this.inner = inner;
       this.middle = middle;
       isMiddleInside = isInside(middle.x(), middle.y());
-      edgeM =
-          Stream.concat(outer.stream(), inner.stream())
-              .mapToDouble(each -> edgeM(each, middle.x(), middle.y()))
-              .min()
-              .orElse(Double.POSITIVE_INFINITY);
+      edgeM = edgeM(middle.x(), middle.y());
+    }
+
+    /** Distance to the nearest edge of any area [m]. */
+    private double edgeM(double northM, double eastM) {
+      return Stream.concat(outer.stream(), inner.stream())
+          .mapToDouble(each -> edgeM(each, northM, eastM))
+          .min()
+          .orElse(Double.POSITIVE_INFINITY);
+    }
+
+    @Override
+    public double roomM(double northM, double eastM) {
+      return isInside(northM, eastM) ? edgeM(northM, eastM) : -outsideM(northM, eastM);
     }
 
     @Override

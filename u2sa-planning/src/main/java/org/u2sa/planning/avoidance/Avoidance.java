@@ -65,6 +65,7 @@ public final class Avoidance {
   private final InPlaceEvasion inPlace;
   private final DriftWatch drift;
   private final HoverEvasion hover;
+  private final TurnInsideFence turn;
   private PlanningPlane plane;
   private Optional<GoalAttempt> attempt = Optional.empty(); // set at the first step
   private Optional<ArcChoice> before = Optional.empty(); // last choice, on the plane
@@ -156,6 +157,7 @@ public final class Avoidance {
     drift = new DriftWatch(settings);
     inPlace = new InPlaceEvasion(world, climbing, settings, lines, say, this::arcs);
     hover = new HoverEvasion(world, climbing, settings, lines, say);
+    turn = new TurnInsideFence(world, say);
   }
 
   /** Estimates the drift of the vehicle and records where it is, whatever its goal. */
@@ -180,11 +182,32 @@ public final class Avoidance {
     return world;
   }
 
-  /** Receives the fence in force: evasions in place, or from it, keep away from its limits. */
+  /** Receives the fence in force: evasions in place, or from it, and turns home keep inside. */
   public void see(FenceState fence) {
     climbing.see(fence);
     inPlace.see(fence);
     hover.see(fence);
+    turn.see(fence);
+  }
+
+  /**
+   * Changes the point to which a returning vehicle moves if it can stop, but not turn in place, and
+   * would turn over a limit of the fence in force.
+   *
+   * @param goal where it returns to; empty if it does not return
+   */
+  public void turnInsideFence(
+      Vehicle vehicle, StateInformation state, NavigationPoint point, Optional<Place> goal) {
+    AvoidanceVariables now = settings.get();
+    double radiusM = now.turnRadius();
+    if (goal.isEmpty() || !now.stops() || radiusM == 0.0 || guards(state)) {
+      turn.leave();
+      return;
+    }
+    lieOn(world.plane(state));
+    Point toGoal = vehicle.nedOf(goal.get());
+    turn.lead(
+        point, vehicle, state, vehicle.on(plane), toGoal, radiusM, routes.track(), isOn(), now);
   }
 
   /** Whether the vehicle can stop. */

@@ -8,6 +8,9 @@ public interface Area {
   /** Whether a straight way stays in it or, from outside, leads towards it at once [m]. */
   boolean allows(double northM, double eastM, double toNorthM, double toEastM);
 
+  /** Distance from a position to the nearest border [m]; negative outside. */
+  double roomM(double northM, double eastM);
+
   /**
    * Everywhere, or nowhere.
    *
@@ -22,6 +25,11 @@ public interface Area {
     @Override
     public boolean allows(double northM, double eastM, double toNorthM, double toEastM) {
       return isEverywhere;
+    }
+
+    @Override
+    public double roomM(double northM, double eastM) {
+      return isEverywhere ? Double.POSITIVE_INFINITY : Double.NEGATIVE_INFINITY;
     }
   }
 }

@@ -100,5 +100,10 @@ class HoverMotionsTest {
     public boolean allows(double northM, double eastM, double toNorthM, double toEastM) {
       return !PlanarShape.cross(northM, eastM, toNorthM, toEastM, 10.0, -5.0, 10.0, 5.0);
     }
+
+    @Override
+    public double roomM(double northM, double eastM) {
+      return Math.hypot(northM - 10.0, Math.max(0.0, Math.abs(eastM) - 5.0));
+    }
   }
 }
