@@ -198,7 +198,11 @@ public final class Cessna172 implements SimulatedVehicle {
 
   private void surround(double dtS) {
     dynamics.attitude.set(s[Q0], s[Q0 + 1], s[Q0 + 2], s[Q0 + 3]);
-    dynamics.groundM = world.elevationM(Math.toDegrees(s[LON]), Math.toDegrees(s[LAT]));
+    double longitude = Math.toDegrees(s[LON]);
+    double latitude = Math.toDegrees(s[LAT]);
+    dynamics.groundM = world.elevationM(longitude, latitude);
+    Point slope = world.slope(longitude, latitude);
+    dynamics.slope(slope.y(), slope.x(), s[LAT], s[LON]);
     dynamics.densityKgPerM3 = StandardAtmosphere.at(s[ALT]).densityKgPerM3();
     double heading = dynamics.attitude.headingRad();
     wind.step(

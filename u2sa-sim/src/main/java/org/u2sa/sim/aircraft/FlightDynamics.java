@@ -58,7 +58,13 @@ final class FlightDynamics implements RungeKutta.Motion {
   double gustP;
   double gustQ;
   double gustR;
-  double groundM;
+  double groundM; // at the place of the slope
+
+  private double slopeNorth; // of the ground there, uphill positive [1]
+  private double slopeEast;
+  private double slopeLatRad; // that place
+  private double slopeLonRad;
+  private double eastPerRad; // of longitude there [m/rad]
 
   // by-products of the last derivatives()
   double airU;
@@ -82,6 +88,24 @@ final class FlightDynamics implements RungeKutta.Motion {
     izz = inertia.z();
   }
 
+  /**
+   * Sets the slope of the ground, uphill positive [1], at a place [rad]. The ground is level around
+   * the aircraft, at the height of the slope under it: it rises and falls as the aircraft moves.
+   */
+  void slope(double north, double east, double latitudeRad, double longitudeRad) {
+    slopeNorth = north;
+    slopeEast = east;
+    slopeLatRad = latitudeRad;
+    slopeLonRad = longitudeRad;
+    eastPerRad = WGS84_A_M * StrictMath.cos(latitudeRad);
+  }
+
+  /** Height of the ground above that at the place of the slope, within metres of it [m]. */
+  private double riseM(double[] s) {
+    return slopeNorth * WGS84_A_M * (s[LAT] - slopeLatRad)
+        + slopeEast * eastPerRad * (s[LON] - slopeLonRad);
+  }
+
   @Override
   public void derivatives(double[] s, double[] rate) {
     attitude.set(s[Q0], s[Q0 + 1], s[Q0 + 2], s[Q0 + 3]);
@@ -95,7 +119,8 @@ final class FlightDynamics implements RungeKutta.Motion {
     double q = s[Q];
     double r = s[R];
     double shaft = Math.max(0.0, s[SHAFT]);
-    double height = s[ALT] - groundM;
+    double height = s[ALT] - (groundM + riseM(s));
+    double riseMps = slopeNorth * s[VN] + slopeEast * s[VE];
 
     propeller.compute(shaft, airU, densityKgPerM3);
     double thrust = propeller.thrustN();
@@ -133,7 +158,7 @@ final class FlightDynamics implements RungeKutta.Motion {
           wheelHeight,
           s[VN] + attitude.north(vx, vy, vz),
           s[VE] + attitude.east(vx, vy, vz),
-          s[VD] + attitude.down(vx, vy, vz),
+          s[VD] + attitude.down(vx, vy, vz) + riseMps,
           s[tyre],
           s[tyre + 1]);
       rate[tyre] = wheel.deflectionAlongRate();

@@ -29,8 +29,13 @@ final class FreeBody implements RungeKutta.Motion {
 
   private MassProperties mass;
 
-  /** Down coordinate of the ground under the body [m]. */
+  /** Down coordinate of the ground under the body, at the place of {@link #slope} [m]. */
   double groundDown = Double.POSITIVE_INFINITY;
+
+  private double slopeNorth; // of the ground there, uphill positive [1]
+  private double slopeEast;
+  private double slopeAtN; // that place [m]
+  private double slopeAtE;
 
   FreeBody(MassProperties mass, AirLoads loads, List<Wheel> wheels, double gravityMps2) {
     this.mass = mass;
@@ -97,11 +102,30 @@ final class FreeBody implements RungeKutta.Motion {
     rate[BodyState.RATES + 2] = (jxz * mx + j.x() * mz) / gamma;
   }
 
+  /**
+   * Sets the slope of the ground, uphill positive [1], at a place [m]. The ground is level around
+   * the body, at the height of the slope under it: it rises and falls as the body moves along.
+   */
+  void slope(double north, double east, double atN, double atE) {
+    slopeNorth = north;
+    slopeEast = east;
+    slopeAtN = atN;
+    slopeAtE = atE;
+  }
+
   private void ground(double[] s, double[] rate) {
     double p = s[BodyState.RATES];
     double q = s[BodyState.RATES + 1];
     double r = s[BodyState.RATES + 2];
-    double height = groundDown - s[BodyState.NED + 2];
+    double rise =
+        slopeNorth * (s[BodyState.NED] - slopeAtN) + slopeEast * (s[BodyState.NED + 1] - slopeAtE);
+    double height = groundDown - rise - s[BodyState.NED + 2];
+    double bodyU = s[BodyState.VELOCITY];
+    double bodyV = s[BodyState.VELOCITY + 1];
+    double bodyW = s[BodyState.VELOCITY + 2];
+    double riseMps =
+        slopeNorth * attitude.north(bodyU, bodyV, bodyW)
+            + slopeEast * attitude.east(bodyU, bodyV, bodyW);
     for (int i = 0; i < wheels.size(); i++) {
       Wheel wheel = wheels.get(i);
       double x = wheel.x();
@@ -116,7 +140,7 @@ final class FreeBody implements RungeKutta.Motion {
           height - attitude.down(x, y, z),
           attitude.north(u, v, w),
           attitude.east(u, v, w),
-          attitude.down(u, v, w),
+          attitude.down(u, v, w) + riseMps,
           s[tyre],
           s[tyre + 1]);
       rate[tyre] = wheel.deflectionAlongRate();

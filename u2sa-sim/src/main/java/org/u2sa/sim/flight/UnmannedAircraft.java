@@ -17,6 +17,7 @@ import org.u2sa.sim.vehicle.FixedStep;
 import org.u2sa.sim.vehicle.SimulatedVehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Footprint;
+import org.u2sa.sim.world.Terrain;
 import org.u2sa.sim.world.World;
 
 /**
@@ -277,7 +278,11 @@ public final class UnmannedAircraft implements SimulatedVehicle {
     double altitude = world.plane().origin().altitudeM() - state[BodyState.NED + 2];
     body.air.standard = StandardAtmosphere.at(altitude);
     body.air.densityKgPerM3 = body.air.standard.densityKgPerM3();
-    body.groundDown = -world.terrain().heightM(state[BodyState.NED + 1], state[BodyState.NED]);
+    double north = state[BodyState.NED];
+    double east = state[BodyState.NED + 1];
+    Terrain ground = world.terrain();
+    body.groundDown = -ground.heightM(east, north);
+    body.slope(ground.riseNorth(east, north), ground.riseEast(east, north), north, east);
     body.air.heightM = body.groundDown - state[BodyState.NED + 2];
     double heading = body.attitude.headingRad();
     wind.step(

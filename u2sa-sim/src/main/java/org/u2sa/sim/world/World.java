@@ -224,6 +224,18 @@ public final class World {
     return elevation;
   }
 
+  /**
+   * Slope of the ground toward east and north [1] at a WGS-84 position [°], in the axes of the
+   * origin.
+   */
+  public Point slope(double longitudeDeg, double latitudeDeg) {
+    if (terrain == Terrain.flat()) {
+      return Point.ORIGIN;
+    }
+    Point on = plane.point(new Geodetic(longitudeDeg, latitudeDeg, plane.origin().altitudeM()));
+    return Point.of(terrain.riseEast(on.x(), on.y()), terrain.riseNorth(on.x(), on.y()), 0.0);
+  }
+
   /** Nearest hit of ground or obstacles; empty if there is none within the range. */
   public Optional<Hit> cast(Ray ray, double rangeM) {
     ObstacleTree.Nearest nearest = nearest(ray, rangeM);

@@ -4,7 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.sim.atmosphere.Wind;
+import org.u2sa.sim.world.Terrain;
+import org.u2sa.sim.world.World;
 
 class GroundTest {
   private static final RunwayStart RUNWAY = new RunwayStart(8.0, 50.0, 100.0, 0.5);
@@ -108,6 +113,27 @@ class GroundTest {
   }
 
   /** On the runway, heading north, rolling. */
+  @ParameterizedTest
+  @ValueSource(doubles = {0.0, 180.0})
+  void step_rollingUpOrDownASlope_followsItAndFeelsItsWeight(double uphillDeg) {
+    World sloping =
+        World.at(new Geodetic(8.0, 50.0, 100.0))
+            .with(Terrain.slope(0.05, Math.toRadians(uphillDeg)))
+            .with(Wind.calm());
+    RunwayStart north = new RunwayStart(8.0, 50.0, 100.0, 0.0);
+    Cessna172 aircraft = Cessna172.onRunway(north, sloping, true);
+    ControlInputs takingOff = ControlInputs.neutral().withThrottle(1.0);
+    aircraft.step(takingOff, 6.0);
+
+    for (int i = 0; i < 240; i++) {
+      aircraft.step(takingOff, 1.0 / 120.0);
+      AircraftMotion state = aircraft.state();
+      assertThat(state.heightAboveGroundM()).isCloseTo(0.0, within(0.05));
+      assertThat(state.loadFactor()).isCloseTo(1.0, within(0.1));
+    }
+    assertThat(aircraft.state().velocityNorthMps()).isGreaterThan(10.0);
+  }
+
   private static Cessna172 rolling(double speedMps, double headingRad) {
     FlightStart start =
         new FlightStart(

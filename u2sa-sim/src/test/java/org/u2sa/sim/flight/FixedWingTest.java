@@ -7,12 +7,15 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.atmosphere.Wind;
 import org.u2sa.sim.motion.BodyAttitude;
 import org.u2sa.sim.vehicle.BodyState;
 import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.sim.world.Terrain;
 import org.u2sa.sim.world.World;
 
 /**
@@ -217,6 +220,25 @@ class FixedWingTest {
     assertThat(rolled).isTrue();
     assertThat(aircraft.isAground()).isFalse();
     assertThat(aircraft.truth().position().z()).isGreaterThan(3.0);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {0.0, 180.0})
+  void step_rollingUpOrDownASlope_followsItAndFeelsItsWeight(double uphillDeg) {
+    World sloping = Aerosonde.FIELD.with(Terrain.slope(0.05, Math.toRadians(uphillDeg)));
+    UnmannedAircraft aircraft = Aerosonde.at(sloping, Aerosonde.STANDS_M);
+    aircraft.step(1.0);
+    aircraft.fly(new Attitude(0.0, 0.0, 0.0), Point.of(10.0, 0.0, 0.0));
+    aircraft.step(0.5);
+
+    for (int i = 0; i < 400; i++) {
+      aircraft.step(0.0025);
+      VehicleTruth truth = aircraft.truth();
+      Point at = truth.position();
+      double ground = sloping.terrain().heightM(at.x(), at.y());
+      assertThat(at.z() - ground).isCloseTo(Aerosonde.STANDS_M, within(0.02));
+      assertThat(truth.specificForce().z()).isCloseTo(-Gravity.STANDARD_MPS2, within(1.0));
+    }
   }
 
   @ParameterizedTest
