@@ -516,13 +516,15 @@ public final class Avoidance {
   }
 
   /**
-   * Whether an aircraft that can stop, and cannot follow its route to a near goal because of
-   * traffic, evades as where it hovers: each arc is free only as long as it goes on, past the goal.
+   * Whether an aircraft that can stop evades as where it hovers: if it cannot follow its route to a
+   * near goal because of traffic, past which each arc would lead; and wherever all its arcs lead
+   * into the separation of traffic, in the middle of which it must not stop.
    */
   private boolean leavesRoute(
       ArcChoice onRoute, Point toGoal, StateInformation state, long micros) {
     boolean isNear = Math.hypot(toGoal.x(), toGoal.y()) < NEAR_M;
-    boolean begins = isNear && onRoute.kind() != ArcChoice.Kind.FOLLOW;
+    boolean isInvaded = onRoute.kind() == ArcChoice.Kind.BRAKE;
+    boolean begins = isInvaded || isNear && onRoute.kind() != ArcChoice.Kind.FOLLOW;
     return guards(state) && (begins || hover.isUnderWay(micros));
   }
 
