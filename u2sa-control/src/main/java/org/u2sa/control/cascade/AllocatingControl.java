@@ -110,6 +110,8 @@ public final class AllocatingControl extends ControlSystem {
     }
   }
 
+  private static final Set<DegreeOfFreedom> HORIZONTAL =
+      EnumSet.of(DegreeOfFreedom.SURGE, DegreeOfFreedom.SWAY, DegreeOfFreedom.YAW);
   private static final long WAIT_MICROS = Clock.MICROS_PER_SECOND;
   private static final long NOT_YET = Long.MIN_VALUE;
   private static final double UNKNOWN_SHARE = 0.75; // fraction of the maximum speed, 1 sigma
@@ -128,6 +130,8 @@ public final class AllocatingControl extends ControlSystem {
   private Authority sound = Authority.NONE;
   private Authority left = Authority.NONE;
   private boolean lacksEssentials; // an essential axis is lost
+  private boolean isSurgeLost; // not driven without moving or turning otherwise
+  private boolean isAdrift; // neither drives nor turns without doing both
   private long revision = -1;
   private String said = "";
   private final PilotWatch pilot = new PilotWatch(clock());
@@ -320,7 +324,13 @@ public final class AllocatingControl extends ControlSystem {
       cascade.takeOver(motion, target, presentWrench());
       takesOver = false;
     }
+    if (isAdrift) {
+      HORIZONTAL.forEach(cascade::rest);
+    }
     double[] wanted = cascade.step(motion, target, stepS());
+    if (isAdrift) {
+      HORIZONTAL.forEach(axis -> wanted[axis.ordinal()] = 0.0);
+    }
     rememberWhetherItStands();
     double mass = tuning.of(tuner.axis()).mass();
     tuner
@@ -328,6 +338,10 @@ public final class AllocatingControl extends ControlSystem {
         .ifPresent(words -> log(words));
     followCommands();
     allocator.allocate(wanted, stepS(), fluidMps);
+    if (isSurgeLost && drivesOn()) {
+      HORIZONTAL.forEach(axis -> wanted[axis.ordinal()] = 0.0);
+      allocator.allocate(wanted, stepS(), fluidMps);
+    }
     cascade.attained(allocator, stepS());
     tuner.tuned().ifPresent(cascade::rest);
     if (wentBySight) {
@@ -345,6 +359,20 @@ public final class AllocatingControl extends ControlSystem {
         command(name, allocator.percent(i));
       }
     }
+  }
+
+  /**
+   * Whether the allocation, for the sake of other axes, speeds up a vehicle that already moves
+   * faster than wanted.
+   */
+  private boolean drivesOn() {
+    double[] velocity = cascade.measured();
+    int surge = DegreeOfFreedom.SURGE.ordinal();
+    int sway = DegreeOfFreedom.SWAY.ordinal();
+    double power =
+        allocator.attained(DegreeOfFreedom.SURGE) * velocity[surge]
+            + allocator.attained(DegreeOfFreedom.SWAY) * velocity[sway];
+    return power > 0.0 && Math.hypot(velocity[surge], velocity[sway]) > cascade.wantedMps();
   }
 
   /**
@@ -414,10 +442,21 @@ public final class AllocatingControl extends ControlSystem {
     cascade.steerage(allocator.steerageMps());
     List<DegreeOfFreedom> lost = left.lost(sound);
     lacksEssentials = Choices.axes(choices.get().essential()).stream().anyMatch(lost::contains);
+    isSurgeLost = !tuning.leans() && lost.contains(DegreeOfFreedom.SURGE);
+    // one thruster of two would drive it in circles, faster than it was to go
+    isAdrift = isSurgeLost && lost.contains(DegreeOfFreedom.YAW) && !steers(allocator.effectors());
     List<String> gone = roster.lost(now);
     weak.lost().stream().filter(name -> !gone.contains(name)).forEach(gone::add);
     gone.forEach(name -> command(name, 0.0));
     say(left.words(sound), gone);
+  }
+
+  /** Whether effectors drive the vehicle without turning it, and turn it, if it may drift aside. */
+  private boolean steers(List<Effector> effectors) {
+    Set<DegreeOfFreedom> axes = EnumSet.of(DegreeOfFreedom.SURGE, DegreeOfFreedom.YAW);
+    List<DegreeOfFreedom> lost =
+        Authority.of(effectors, axes).lost(Authority.of(roster.sound(), axes));
+    return !lost.contains(DegreeOfFreedom.SURGE) && !lost.contains(DegreeOfFreedom.YAW);
   }
 
   private void say(String authority, List<String> gone) {
@@ -425,7 +464,9 @@ public final class AllocatingControl extends ControlSystem {
         (gone.isEmpty() ? "" : "lost: " + String.join(", ", gone) + "; ")
             + weak.words()
             + (authority.isEmpty() && !gone.isEmpty() ? "full authority is left" : authority)
-            + (lacksEssentials ? "; actuators are neutral" : "");
+            + (lacksEssentials
+                ? "; actuators are neutral"
+                : isAdrift ? "; horizontal thrust is off" : "");
     if (words.equals(said)) {
       return;
     }

@@ -227,6 +227,11 @@ final class Cascade {
     return measured;
   }
 
+  /** Horizontal speed wanted in the last step [m/s]. */
+  double wantedMps() {
+    return Math.hypot(wanted[SURGE], wanted[SWAY]);
+  }
+
   /** Resets one axis. */
   void rest(DegreeOfFreedom axis) {
     pids[axis.ordinal()].reset();

@@ -161,6 +161,64 @@ class AllocatingControlTest {
     assertThat(kit.percent("THRUSTER")).isZero();
   }
 
+  private void startBoat() {
+    kit.with("SURGE WEIGHT", 1.0).with("SURGE MASS", 40.0).with("FACES THE WAY", true);
+    kit.with("YAW WEIGHT", 3.0).with("YAW INERTIA", 8.0);
+    kit.start(AllocatingControl::new);
+    kit.publish(Channels.ACTUATORS, thruster("PORT", Point.of(20.0, 0.0, 0.0), 8.0));
+  }
+
+  private static ActuatorAnnouncement thruster(String name, Point forceN, double momentNm) {
+    return new ActuatorAnnouncement()
+        .actuatorName(name)
+        .minimum(-100.0)
+        .maximum(100.0)
+        .force(forceN)
+        .moment(Point.of(0.0, 0.0, momentNm));
+  }
+
+  /** The boat is to turn to a point on its right, slowly. */
+  private void sail(double surgeMps, ActuatorAnnouncement... announced) {
+    for (int i = 0; i < 30; i++) {
+      for (ActuatorAnnouncement each : announced) {
+        kit.publish(Channels.ACTUATORS, (ActuatorAnnouncement) each.copy());
+      }
+      NavigationPoint point = NavigationPoint.at(Point.of(4.0, -4.0, 0.0)).speed(0.3);
+      point.timestamp(kit.clock().micros());
+      kit.send(Channels.NAVIGATION, point);
+      kit.publish(Channels.STATE, falling().zDot(0.0).xDot(0.0).yDot(surgeMps));
+      kit.advance(STEP_S);
+    }
+  }
+
+  /** The other thruster of two would only drive it in circles, possibly faster than wanted. */
+  @Test
+  void control_boatThatCannotDriveWithoutTurning_isLeftAdrift() {
+    startBoat();
+    ActuatorAnnouncement starboard = thruster("STARBOARD", Point.of(20.0, 0.0, 0.0), -8.0);
+    sail(0.2, starboard, thruster("PORT", Point.of(20.0, 0.0, 0.0), 8.0));
+    assertThat(kit.percent("STARBOARD")).isNotZero();
+
+    sail(0.2, starboard, thruster("PORT", Point.of(20.0, 0.0, 0.0), 8.0).available(0.0));
+    assertThat(kit.percent("STARBOARD")).isZero();
+    assertThat(kit.log("Control"))
+        .anyMatch(line -> line.contains("cannot control surge, yaw; horizontal thrust is off"));
+  }
+
+  /** Its bow thruster balances the thruster that is left, and pushes it aside. */
+  @Test
+  void control_boatThatStillDrivesButDriftsAside_isNotMadeFasterThanWanted() {
+    kit.with("SWAY WEIGHT", 1.0).with("SWAY MASS", 80.0);
+    startBoat();
+    ActuatorAnnouncement port = thruster("PORT", Point.of(20.0, 0.0, 0.0), 8.0);
+    ActuatorAnnouncement bow = thruster("BOW", Point.of(0.0, 20.0, 0.0), 10.0);
+    sail(0.1, port, bow, thruster("STARBOARD", Point.of(20.0, 0.0, 0.0), -8.0).available(0.0));
+    assertThat(kit.percent("PORT")).as("drives on").isPositive();
+
+    sail(0.6, port, bow);
+    assertThat(kit.percent("PORT")).isNotPositive();
+  }
+
   /** At the end of the points, the share of its thrust against drag would drive it on. */
   @Test
   void control_pointsEnd_brakesAtOnce() {

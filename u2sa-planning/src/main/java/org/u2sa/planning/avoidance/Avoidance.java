@@ -72,6 +72,7 @@ public final class Avoidance {
   private Optional<HeldChoice> held = Optional.empty();
   private long steppedMicros = Long.MIN_VALUE; // state of the last step
   private Optional<Place> began = Optional.empty(); // where the first step was made
+  private Optional<Place> covered = Optional.empty(); // where something came above or below it
   private String blocker = ""; // stands on the way back to where the vehicle hovers
 
   /**
@@ -258,6 +259,7 @@ public final class Avoidance {
   public void begin() {
     attempt = Optional.empty();
     began = Optional.empty();
+    covered = Optional.empty();
     held = Optional.empty();
     routes.begin();
     highGround.begin();
@@ -445,12 +447,13 @@ public final class Avoidance {
     Point at = vehicle.on(plane);
     Wanted wanted = now.verticalClearance() > 0.0 ? goal.at(altitude(vehicle)) : goal;
     wanted = cruise.over(wanted, goal, vehicle, plane, at, now);
-    Point toGoal = vehicle.nedOf(wanted.target());
     if (cruise.riseM(at) < 0.0) {
       double riseM = climbing.inside(plane, at.z(), vehicle.downMps(), cruise.riseM(at));
       double mps = Situation.wantedMps(wanted, now);
       return new Step(Point.of(0.0, 0.0, riseM), mps, false, Optional.empty());
     }
+    wanted = uncovered(wanted, vehicle, state, at);
+    Point toGoal = vehicle.nedOf(wanted.target());
     if (held.isPresent() && held.get().isFor(goal, micros)) {
       return step(held.get().choice(), vehicle, at, toGoal, wanted, Optional.empty());
     }
@@ -505,6 +508,34 @@ public final class Avoidance {
     announce(status, givenUp, wanted, at);
     held = now.stops() ? Optional.empty() : Optional.of(new HeldChoice(choice, goal, micros));
     return step(choice, vehicle, at, toGoal, wanted, givenUp);
+  }
+
+  /** The goal, or at the vehicle's own altitude while something is above or below the vehicle. */
+  private Wanted uncovered(Wanted wanted, Vehicle vehicle, StateInformation state, Point at) {
+    if (!isCovered(vehicle, state, at, vehicle.nedOf(wanted.target()))) {
+      covered = Optional.empty();
+      return wanted;
+    }
+    covered = covered.or(() -> Optional.of(vehicle.place()));
+    return wanted.with(wanted.target().at(covered.get().upM().orElseThrow()));
+  }
+
+  /**
+   * Whether something above or below a vehicle that can stop is in the way of its climb or descent
+   * to the altitude of a goal elsewhere, so that it first has to leave at its own altitude.
+   */
+  private boolean isCovered(Vehicle vehicle, StateInformation state, Point at, Point toGoal) {
+    AvoidanceVariables now = settings.get();
+    if (!guards(state)
+        || world.costs() == null
+        || vehicle.place().upM().isEmpty()
+        || !VerticalGuard.matters(toGoal)
+        || Math.hypot(toGoal.x(), toGoal.y()) < IN_PLACE_M) {
+      return false;
+    }
+    Point way = Point.of(0.0, 0.0, toGoal.z());
+    double freeM = vertical.untilObstacle(vehicle, at, way, Optional.empty(), body(now), now);
+    return Math.abs(freeM) < Math.abs(toGoal.z());
   }
 
   /** Whether an aircraft climbs because the ground leaves no way at its altitude yet. */

@@ -8,6 +8,8 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
@@ -38,6 +40,10 @@ class WheelLostTest {
   }
 
   private void start() {
+    start("SURGE YAW");
+  }
+
+  private void start(String essential) {
     List<String> names = run.vehicle().actuators();
     wheel(names.get(0), "thrust 40 at 0 -0.22 0 towards 1 0 0");
     wheel(names.get(1), "thrust 40 at 0 0.22 0 towards 1 0 0");
@@ -48,7 +54,7 @@ class WheelLostTest {
     kit.with("YAW WEIGHT", 3.0).with("YAW INERTIA", 1.0).with("YAW GAIN", 5.0);
     kit.with("YAW INTEGRAL TIME", 1.0).with("YAW ANGLE GAIN", 1.5).with("YAW MAX RATE", 60.0);
     kit.with("FACES THE WAY", true).with("FACING DISTANCE", 0.3);
-    kit.with("ESSENTIAL", "SURGE YAW");
+    kit.with("ESSENTIAL", essential);
     kit.start(AllocatingControl::new);
   }
 
@@ -112,9 +118,10 @@ class WheelLostTest {
   }
 
   /** With one wheel, driving is turning: it stops where it is, and says why. */
-  @Test
-  void drive_oneWheelLost_stopsAtOnceAndSaysWhatCannotBeControlled() {
-    start();
+  @ParameterizedTest
+  @CsvSource({"SURGE YAW, actuators are neutral", "'', horizontal thrust is off"})
+  void drive_oneWheelLost_stopsAtOnceAndSaysWhatCannotBeControlled(String essential, String words) {
+    start(essential);
     drive(Point.of(20.0, 0.0, 0.0), 8.0);
     VehicleTruth before = run.at(kit.clock().micros());
     assertThat(before.speedMps()).isGreaterThan(0.5);
@@ -127,8 +134,6 @@ class WheelLostTest {
     assertThat(after.position().distanceTo(before.position())).isLessThan(1.0);
     assertThat(Math.abs(Math.IEEEremainder(after.headingRad() - before.headingRad(), 2 * Math.PI)))
         .isLessThan(Math.toRadians(30.0));
-    assertThat(health())
-        .startsWith("lost: ")
-        .endsWith("cannot control surge, yaw; actuators are neutral");
+    assertThat(health()).startsWith("lost: ").endsWith("cannot control surge, yaw; " + words);
   }
 }
