@@ -25,7 +25,7 @@ import org.u2sa.messages.shape.NearSides;
  * optional. Uses a local plane in metres east and north of the polygon's first corner, accurate
  * enough for fences of some tens of kilometres. Immutable.
  */
-final class Fence {
+public final class Fence {
   private static final int CURVATURE_STEPS = 6;
   private static final int MAX_NEAR_SIDES = 10_000; // pairs
 
@@ -145,12 +145,12 @@ final class Fence {
    *
    * @param local origin of local frames
    */
-  List<Geodetic> corners(Geodetic local) {
+  public List<Geodetic> corners(Geodetic local) {
     return keepIn.map(area -> corners(area, local)).orElse(List.of());
   }
 
   /** The corners of each keep-out area; as {@link #corners(Geodetic)}. */
-  List<List<Geodetic>> keepOutCorners(Geodetic local) {
+  public List<List<Geodetic>> keepOutCorners(Geodetic local) {
     List<List<Geodetic>> areas = new ArrayList<>();
     keepOuts.forEach(area -> areas.add(corners(area, local)));
     return areas;

@@ -30,8 +30,7 @@ final class FenceWatch implements Watch {
   private final Supplier<SafetyVariables> settings;
   private final FenceFile file;
   private final PositionWatch states;
-  private GivenFence given; // null if none
-  private volatile FenceOutline outline; // of the same
+  private volatile GivenFence given; // null if none; written by the Safety Manager's thread
   private Fence fence; // its area less the margin
   private boolean isOrdered; // ordered by an operator, instead of the configured one
   private int changes; // number of changes of the fence in force
@@ -108,7 +107,6 @@ final class FenceWatch implements Watch {
   private void use(GivenFence next, boolean ordered) {
     given = next;
     fence = next == null ? null : next.fence();
-    outline = new FenceOutline(Optional.ofNullable(next).map(GivenFence::whole));
     isOrdered = ordered;
     clearM = 0.0;
     changes++;
@@ -161,9 +159,10 @@ final class FenceWatch implements Watch {
     return Optional.ofNullable(fence);
   }
 
-  /** Corners of the fence in force. Thread-safe. */
-  FenceOutline outline() {
-    return outline;
+  /** Fence in force, without its margin; empty if none. Thread-safe. */
+  Optional<Fence> whole() {
+    GivenFence now = given;
+    return Optional.ofNullable(now).map(GivenFence::whole);
   }
 
   @Override

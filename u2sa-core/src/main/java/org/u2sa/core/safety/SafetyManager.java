@@ -134,9 +134,12 @@ public final class SafetyManager extends PeriodicService {
     }
   }
 
-  /** The fence in force. Thread-safe. */
-  public FenceOutline fence() {
-    return fenceWatch.outline();
+  /**
+   * The fence in force, without FENCE MARGIN, another object after each change; empty if none.
+   * Thread-safe.
+   */
+  public Optional<Fence> fence() {
+    return fenceWatch.whole();
   }
 
   /** Rejects an unreadable fence and, while armed, names that have not reported. */

@@ -181,7 +181,7 @@ class SafetyManagerStateTest extends WatchedVehicle {
   @Test
   void fence_onTheEarth_areThoseOfTheKeepInAreaWithoutItsMargin() throws IOException {
     kit.with("FENCE", fence("Global", "0.001")).with("FENCE MARGIN", 20.0);
-    assertThat(startManager().fence().keepIn(new Geodetic(5.0, 5.0, 0.0)))
+    assertThat(startManager().fence().orElseThrow().corners(new Geodetic(5.0, 5.0, 0.0)))
         .hasSize(5)
         .allMatch(corner -> Math.abs(Math.abs(corner.latitudeDeg()) - 0.001) < 1e-9)
         .allMatch(corner -> Math.abs(Math.abs(corner.longitudeDeg()) - 0.001) < 1e-9);

@@ -14,6 +14,7 @@ import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.guidance.LineSettings;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
+import org.u2sa.planning.local.AllowedAreas;
 import org.u2sa.planning.local.ArcChoice;
 import org.u2sa.planning.local.HoverMotions;
 import org.u2sa.planning.local.HoverMotions.Choice;

@@ -8,6 +8,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.safety.FenceState;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
+import org.u2sa.planning.local.AllowedAreas;
 import org.u2sa.planning.local.Area;
 import org.u2sa.planning.search.BodyDiscs;
 import org.u2sa.planning.seen.Mover;

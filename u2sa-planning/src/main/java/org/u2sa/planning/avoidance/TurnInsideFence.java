@@ -10,6 +10,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.safety.FenceState;
 import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.guidance.Vehicle;
+import org.u2sa.planning.local.AllowedAreas;
 import org.u2sa.planning.local.Area;
 import org.u2sa.planning.local.RouteTrack;
 import org.u2sa.planning.seen.SeenWorld;

@@ -17,7 +17,6 @@ import org.u2sa.cli.terminal.Terminal;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.RunningSystem;
 import org.u2sa.core.launch.SystemFile;
-import org.u2sa.core.safety.FenceOutline;
 import org.u2sa.core.safety.SafetyManager;
 import org.u2sa.gcs.remote.LocalSystems;
 import org.u2sa.interfaces.RunFailedException;
@@ -141,8 +140,8 @@ record DemoRun(
       RunObserver observer =
           maker.make(
               running.contextFor(XmlConfiguration.inMemory("RunObserver", Map.of())), plan, screen);
-      if (fence(running).isPresent()) {
-        observer.record().within(() -> fence(running).orElseThrow());
+      if (safetyManager(running).isPresent()) {
+        observer.record().within(() -> safetyManager(running).flatMap(SafetyManager::fence));
       }
       observer.service().start();
       Optional<SwapOperator> operator = startOperator(running, screen);
@@ -222,13 +221,12 @@ record DemoRun(
         .announce(system.systemId(), running.communicationManager().address(), screen::print);
   }
 
-  /** The fence of the running Safety Manager, also of a restarted or swapped one. */
-  private static Optional<FenceOutline> fence(RunningSystem running) {
+  /** The running Safety Manager, also a restarted or swapped one. */
+  private static Optional<SafetyManager> safetyManager(RunningSystem running) {
     return running.services().stream()
         .filter(SafetyManager.class::isInstance)
         .map(SafetyManager.class::cast)
-        .findFirst()
-        .map(SafetyManager::fence);
+        .findFirst();
   }
 
   private Optional<SwapOperator> startOperator(RunningSystem running, RunScreen screen) {

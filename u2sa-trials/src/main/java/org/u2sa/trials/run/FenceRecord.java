@@ -1,8 +1,9 @@
 package org.u2sa.trials.run;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Supplier;
-import org.u2sa.core.safety.FenceOutline;
+import org.u2sa.core.safety.Fence;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.report.score.FenceBreaches;
 import org.u2sa.report.score.RunOutcome;
@@ -13,29 +14,31 @@ import org.u2sa.report.score.RunPlan;
  * change. Confined to the observer's thread, except at the end.
  */
 final class FenceRecord {
-  private final Supplier<FenceOutline> inForce;
+  private final Supplier<Optional<Fence>> inForce;
   private final Geodetic local;
   private final FenceBreaches breaches = new FenceBreaches();
-  private FenceOutline outline; // the one of the corners
+  private Fence fence; // the one of the corners; null: none
   private List<RunPlan.Corner> keepIn = List.of();
   private List<List<RunPlan.Corner>> keepOuts = List.of();
 
   /**
-   * @param inForce the fence in force now; another object after each change
+   * @param inForce the fence in force now, another object after each change; empty if none
    * @param local origin of local frames
    */
-  FenceRecord(Supplier<FenceOutline> inForce, Geodetic local) {
+  FenceRecord(Supplier<Optional<Fence>> inForce, Geodetic local) {
     this.inForce = inForce;
     this.local = local;
   }
 
   /** Processes a position of the vehicle, later than the previous one. */
   void see(double longitudeDeg, double latitudeDeg) {
-    FenceOutline now = inForce.get();
-    if (now != outline) {
-      outline = now;
-      keepIn = corners(now.keepIn(local));
-      keepOuts = now.keepOuts(local).stream().map(FenceRecord::corners).toList();
+    Optional<Fence> now = inForce.get();
+    if (now.orElse(null) != fence) {
+      fence = now.orElse(null);
+      keepIn = now.map(each -> corners(each.corners(local))).orElse(List.of());
+      keepOuts =
+          now.map(each -> each.keepOutCorners(local).stream().map(FenceRecord::corners).toList())
+              .orElse(List.of());
     }
     breaches.see(keepIn, keepOuts, longitudeDeg, latitudeDeg);
   }

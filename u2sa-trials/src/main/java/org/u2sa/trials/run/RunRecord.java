@@ -11,7 +11,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
-import org.u2sa.core.safety.FenceOutline;
+import org.u2sa.core.safety.Fence;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.frame.Geodetic;
@@ -80,9 +80,9 @@ public final class RunRecord {
   /**
    * Judges the following samples by a fence; call before the first.
    *
-   * @param inForce the fence in force now; another object after each change. Thread-safe
+   * @param inForce the fence in force now; empty if none. Thread-safe
    */
-  void within(Supplier<FenceOutline> inForce) {
+  void within(Supplier<Optional<Fence>> inForce) {
     fence = Optional.of(new FenceRecord(inForce, origin));
   }
 

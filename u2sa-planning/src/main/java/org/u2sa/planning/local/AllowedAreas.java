@@ -1,4 +1,4 @@
-package org.u2sa.planning.avoidance;
+package org.u2sa.planning.local;
 
 import java.util.List;
 import java.util.Optional;
@@ -10,21 +10,21 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.safety.FenceState;
 import org.u2sa.messages.shape.Polygon;
 import org.u2sa.planning.guidance.Leg;
-import org.u2sa.planning.local.Area;
 import org.u2sa.planning.seen.PlanarShape;
 import org.u2sa.planning.seen.SeenWorld;
 
 /** Areas of the fence in force, on the planning plane. Confined to the planner's thread. */
-final class AllowedAreas {
+public final class AllowedAreas {
   private final SeenWorld world;
   private Optional<FenceState> fence = Optional.empty();
 
-  AllowedAreas(SeenWorld world) {
+  /** Without a fence yet: everything is allowed. */
+  public AllowedAreas(SeenWorld world) {
     this.world = world;
   }
 
   /** Receives the fence in force. */
-  void see(FenceState inForce) {
+  public void see(FenceState inForce) {
     fence = Optional.of(inForce);
   }
 
@@ -34,7 +34,7 @@ final class AllowedAreas {
    *
    * @param at position on the plane [m]
    */
-  Area area(Point at, StateInformation state) {
+  public Area area(Point at, StateInformation state) {
     List<Polygon> keepIn = fence.map(FenceState::keepIn).orElse(List.of());
     List<Polygon> keepOut = fence.map(FenceState::keepOut).orElse(List.of());
     boolean onEarth = world.plane(state).onEarth();
