@@ -113,11 +113,15 @@ class StationPageTest {
     String allowed = // no service's messages must hold up an emergency stop
         browser
             .evaluate(
-                "import('./budget.js').then(({Budget}) => { const budget = new Budget(); return"
-                    + " [budget.allows('objects', 919000, 0), budget.allows('state', 919000, 0),"
-                    + " budget.allows('state', 919000, 1), budget.allows('arming-state', 919000,"
-                    + " 1), budget.allows('objects', 100000, 0), budget.allows('objects', 100000,"
-                    + " 1), budget.allows('objects', 100000, 400), budget.skipped].join(); })")
+                """
+                import('./budget.js').then(({Budget}) => {
+                  const budget = new Budget();
+                  return [budget.allows('objects', 919000, 0), budget.allows('state', 919000, 0),
+                    budget.allows('state', 919000, 1), budget.allows('arming-state', 919000, 1),
+                    budget.allows('objects', 100000, 0), budget.allows('objects', 100000, 1),
+                    budget.allows('objects', 100000, 400), budget.skipped].join();
+                })
+                """)
             .asText();
     assertThat(allowed).isEqualTo("false,true,false,true,true,false,true,3");
 
@@ -161,29 +165,39 @@ class StationPageTest {
     String answer =
         browser
             .evaluate(
-                "import('./orders.js').then(({Orders}) => { const orders = new Orders({publish: ()"
-                    + " => Promise.resolve()}); const vehicle = {id: 'ugv', now: () => 0n}; const"
-                    + " change = {serviceName: 'Control', author: '', assignments: []}; const"
-                    + " result = orders.ask(vehicle, 'configuration', 'ConfigurationUndo', change,"
-                    + " 4000, 'Control'); const [requestId] = orders.pending.keys();"
-                    + " orders.answered({requestId, serviceName: 'Liar', accepted: true});"
-                    + " orders.answered({requestId, serviceName: 'Control', accepted: false});"
-                    + " return result.then(each => each.serviceName); })")
+                """
+                import('./orders.js').then(({Orders}) => {
+                  const orders = new Orders({publish: () => Promise.resolve()});
+                  const vehicle = {id: 'ugv', now: () => 0n};
+                  const undo = {serviceName: 'Control', author: ''};
+                  const result = orders.ask(vehicle, 'configuration', 'ConfigurationUndo', undo, 4000, 'Control');
+                  const [requestId] = orders.pending.keys();
+                  orders.answered({requestId, serviceName: 'Liar', accepted: true});
+                  orders.answered({requestId, serviceName: 'Control', accepted: false});
+                  return result.then(each => each.serviceName);
+                })
+                """)
             .asText();
     assertThat(answer).isEqualTo("Control");
 
     String lifted = // 64 stops with IDs as long as they may be
         browser
             .evaluate(
-                "import('./orders.js').then(({Orders}) => { let inForce = []; for (let i = 0; i <"
-                    + " 64; i++) inForce.push(String(i).padEnd(1000, 'x')); const sent = []; const"
-                    + " publish = (system, channel, type, {lifts}) => {"
-                    + " sent.push(lifts.join('').length); inForce = inForce.filter(id =>"
-                    + " !lifts.includes(id)); return Promise.resolve(); }; const vehicle = {id:"
-                    + " 'ugv', now: () => 0n, stops: () => ({inForce})}; return new"
-                    + " Orders({publish}).clearStops(vehicle).then(() => sent.join()); })")
+                """
+                import('./orders.js').then(({Orders}) => {
+                  let inForce = Array.from({length: 64}, (each, i) => String(i).padEnd(1000, 'x'));
+                  const sent = [];
+                  const publish = (system, channel, type, {lifts, timestamp}) => {
+                    sent.push(timestamp + ' ' + lifts.join('').length);
+                    inForce = inForce.filter(id => !lifts.includes(id));
+                    return Promise.resolve();
+                  };
+                  const vehicle = {id: 'ugv', now: () => 7n, stops: () => ({inForce})};
+                  return new Orders({publish}).clearStops(vehicle).then(() => sent.join());
+                })
+                """)
             .asText();
-    assertThat(lifted).isEqualTo("12000,12000,12000,12000,12000,4000");
+    assertThat(lifted).isEqualTo("7 12000,8 12000,9 12000,10 12000,11 12000,12 4000");
   }
 
   @Test

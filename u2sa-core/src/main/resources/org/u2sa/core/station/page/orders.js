@@ -147,8 +147,10 @@ export class Orders {
   async clearStops(vehicle) {
     const lifts = vehicle.stops().inForce;
     this.stop = null;
+    let timestamp = vehicle.now();
     for (const part of parts(lifts)) {
-      await this.link.publish(vehicle.id, 'emergency-stop', 'EmergencyStop', {active: false, timestamp: vehicle.now(), operator: this.operator, reason: 'cleared on the web page', lifts: part}, true);
+      await this.link.publish(vehicle.id, 'emergency-stop', 'EmergencyStop', {active: false, timestamp, operator: this.operator, reason: 'cleared on the web page', lifts: part}, true);
+      if (timestamp !== undefined) timestamp++; // two of the same time would be one that arrives twice
     }
     await this.until(() => !vehicle.stops().inForce.some(id => lifts.includes(id)));
     return 'emergency stop cleared';
