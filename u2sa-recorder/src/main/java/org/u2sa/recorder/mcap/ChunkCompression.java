@@ -127,7 +127,8 @@ public enum ChunkCompression {
     } catch (IOException e) {
       return new Prefix(out.toByteArray(), e);
     } catch (LZ4Exception e) { // damaged bytes within a block
-      return new Prefix(out.toByteArray(), new McapException(e.toString(), e));
+      return new Prefix(
+          out.toByteArray(), new McapException("damaged LZ4 block: " + e.getMessage(), e));
     }
   }
 }

@@ -44,6 +44,7 @@ public final class McapReader implements AutoCloseable {
   private final List<AttachmentIndex> attachments = new ArrayList<>();
   private final List<MetadataIndex> metadata = new ArrayList<>();
   private McapStatistics statistics;
+  private boolean isMarked; // at its beginning, as an MCAP file
 
   private McapReader(Path path, FileChannel file) {
     this.path = path;
@@ -59,13 +60,15 @@ public final class McapReader implements AutoCloseable {
    */
   public static McapReader open(Path path) throws IOException {
     FileChannel file = FileChannel.open(path, StandardOpenOption.READ);
+    McapReader reader = new McapReader(path, file);
     try {
-      McapReader reader = new McapReader(path, file);
       reader.readSummary();
       return reader;
     } catch (EOFException | McapException e) {
       file.close();
-      throw new McapException(path + ": " + e.getMessage() + "; recover it first", e);
+      String remedy =
+          reader.isMarked ? "recover it first" : "expected an MCAP file; recover it if it was one";
+      throw new McapException(path + ": " + e.getMessage() + "; " + remedy, e);
     } catch (IOException | RuntimeException e) {
       file.close();
       throw e;
@@ -74,6 +77,7 @@ public final class McapReader implements AutoCloseable {
 
   private void readSummary() throws IOException {
     RecordStream.requireMagic(file, 0);
+    isMarked = true;
     long endMagic = file.size() - Opcode.magic().length;
     RecordStream.requireMagic(file, endMagic);
     if (endMagic < Opcode.magic().length + FOOTER_LENGTH) {
@@ -157,7 +161,7 @@ public final class McapReader implements AutoCloseable {
     for (AttachmentIndex index : attachments) {
       if (index.name().equals(name)) {
         return Optional.of(
-            McapAttachment.read(at(index.offset(), index.length(), Opcode.ATTACHMENT)));
+            read(index.offset(), index.length(), Opcode.ATTACHMENT, McapAttachment::read));
       }
     }
     return Optional.empty();
@@ -167,9 +171,25 @@ public final class McapReader implements AutoCloseable {
   public List<McapMetadata> metadata() throws IOException {
     List<McapMetadata> all = new ArrayList<>();
     for (MetadataIndex index : metadata) {
-      all.add(McapMetadata.read(at(index.offset(), index.length(), Opcode.METADATA)));
+      all.add(read(index.offset(), index.length(), Opcode.METADATA, McapMetadata::read));
     }
     return all;
+  }
+
+  private interface Parser<T> {
+    T read(RecordFields in) throws McapException;
+  }
+
+  private <T> T read(long offset, long length, int opcode, Parser<T> parser) throws IOException {
+    try {
+      return parser.read(at(offset, length, opcode));
+    } catch (EOFException | McapException e) {
+      throw new McapException(
+          String.format(
+              "%s: the record at byte %d is damaged: %s; recover the file first",
+              path, offset, e.getMessage()),
+          e);
+    }
   }
 
   private RecordFields at(long offset, long length, int opcode) throws IOException {
@@ -177,8 +197,8 @@ public final class McapReader implements AutoCloseable {
     if (entry.opcode() != opcode || entry.length() != length) {
       throw new McapException(
           String.format(
-              "%s: at byte %d is a record of kind %d, %d bytes; expected kind %d, %d bytes",
-              path, offset, entry.opcode(), entry.length(), opcode, length));
+              "it is of kind %d, with %d bytes; expected kind %d, %d bytes",
+              entry.opcode(), entry.length(), opcode, length));
     }
     return entry.fields();
   }

@@ -1,5 +1,6 @@
 package org.u2sa.recorder.mcap;
 
+import static java.nio.charset.StandardCharsets.ISO_8859_1;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -42,6 +43,31 @@ class McapReaderTest {
       assertThat(reader.metadata()).containsExactly(new McapMetadata("run", Map.of("seed", "1")));
       assertThat(reader.schemas().get(1).name()).isEqualTo("Thing");
     }
+  }
+
+  @Test
+  void attachment_lengthBeyondItsRecord_isRefusedWithFileAndPlace() throws IOException {
+    Path file = folder.resolve("a.mcap");
+    SmallRecording.write(file, SmallRecording.options(ChunkCompression.LZ4, SMALL_CHUNKS), SEVERAL);
+    byte[] bytes = Files.readAllBytes(file);
+    int name = new String(bytes, ISO_8859_1).indexOf("system.xml"); // its record, then the index
+    bytes[name - 1] = 7; // most significant byte of the length
+    Files.write(file, bytes);
+    try (McapReader reader = McapReader.open(file)) {
+      assertThatThrownBy(() -> reader.attachment("system.xml"))
+          .isInstanceOf(McapException.class)
+          .hasMessageStartingWith(file + ": the record at byte ")
+          .hasMessageEndingWith("recover the file first");
+    }
+  }
+
+  @Test
+  void open_fileOfAnotherKind_saysWhatIsExpected() throws IOException {
+    Path file = Files.writeString(folder.resolve("a.log"), "FLASER 180 1.0 2.0 3.0\n".repeat(9));
+    assertThatThrownBy(() -> McapReader.open(file))
+        .isInstanceOf(McapException.class)
+        .hasMessageStartingWith(file + ": at byte 0")
+        .hasMessageEndingWith("expected an MCAP file; recover it if it was one");
   }
 
   @Test
