@@ -59,32 +59,26 @@ public final class AllocatingControl extends ControlSystem {
           String actuators,
       @Variable(ifAbsentText = "")
           @Description(
-              "Essential axes, separated by spaces: without them the actuators stay neutral. SURGE,"
-                  + " SWAY, HEAVE, ROLL, PITCH, YAW.")
+              "Essential axes, separated by spaces: without them the actuators stay neutral. SURGE, SWAY, HEAVE, ROLL, PITCH, YAW.")
           String essential,
       @Variable(ifAbsentText = "")
           @Description(
-              "Relative costs of actuators, as \"NAME 4, OTHER NAME 2\"; others cost 1. Costlier"
-                  + " actuators are used less.")
+              "Relative costs of actuators, as \"NAME 4, OTHER NAME 2\"; others cost 1. Costlier actuators are used less.")
           String costs,
       @Variable(ifAbsentText = "PERCENT")
           @Description(
-              "FORCE commands actuators that accept forces in newtons, others in percent; PERCENT"
-                  + " commands all in percent.")
+              "FORCE commands actuators that accept forces in newtons, others in percent; PERCENT commands all in percent.")
           CommandKind commands,
       @Variable(ifAbsentText = "false")
           @Description(
-              "Whether failed or weak actuators are detected from the vehicle's motion and excluded"
-                  + " or derated; requires accurate masses.")
+              "Whether failed or weak actuators are detected from the vehicle's motion and excluded or derated; requires accurate masses.")
           boolean watchesResponse,
       @Variable(unit = "s", min = 1, max = 3600, ifAbsent = 60)
           @Description("Time after which a failed or weak actuator is tried again.")
           double retryTime,
       @Variable(ifAbsentText = "false")
           @Description(
-              "Whether motion comes from an IMU and a velocity log on sensed-state while there are"
-                  + " no states. Once both have reported, the actuators are neutral while either is"
-                  + " silent.")
+              "Whether motion comes from an IMU and a velocity log on sensed-state while there are no states. Once both have reported, the actuators are neutral while either is silent.")
           boolean sensesMotion) {
     Choices {
       axes(essential);

@@ -76,47 +76,29 @@ class FenceReaderTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "<x>100</x><y>100</y> | <x>-100</x><y>50</y> | line 5, <keepIn>: encloses no area in one"
-            + " piece",
-        "<ceiling>200         | <ceiling>20          | line 4, <ceiling>: 20.0 m is not above the"
-            + " floor of 30.48 m",
-        "<ceiling>200         | <ceiling>1e308       | line 4, <ceiling>: 1.0E308 m: expected at"
-            + " most 1.0E9",
-        "<radius>10           | <radius>1e300        | line 13, <radius>: 1.0E300 m: expected at"
-            + " most 1.0E9",
+        "<x>100</x><y>100</y> | <x>-100</x><y>50</y> | line 5, <keepIn>: encloses no area in one piece",
+        "<ceiling>200         | <ceiling>20          | line 4, <ceiling>: 20.0 m is not above the floor of 30.48 m",
+        "<ceiling>200         | <ceiling>1e308       | line 4, <ceiling>: 1.0E308 m: expected at most 1.0E9",
+        "<radius>10           | <radius>1e300        | line 13, <radius>: 1.0E300 m: expected at most 1.0E9",
         "<x>100</x><y>100</y> | <x>1e300</x><y>1</y> | <x>: 1.0E300 m: expected at most 1.0E9",
-        "<radius>10           | <radius>0            | line 13, <radius>: 0.0 m: expected more than"
-            + " 0 m",
+        "<radius>10           | <radius>0            | line 13, <radius>: 0.0 m: expected more than 0 m",
         "<y>50</y>            | <z>50</z>            | line 12, <z>",
-        "Local ENU            | Body                 | line 2, <reference>: \"Body\" is not one of"
-            + " Global, Local ENU",
-        "Local ENU            | Global               | line 8, <y>: 100.0 is outside -90.0…90.0 deg"
-            + " of latitude",
+        "Local ENU            | Body                 | line 2, <reference>: \"Body\" is not one of Global, Local ENU",
+        "Local ENU            | Global               | line 8, <y>: 100.0 is outside -90.0…90.0 deg of latitude",
         "<x>0</x><y>100</y>   | <x>0</x>             | lacks <y>",
-        "<ceiling>200         | <ceiling>30.48       | line 4, <ceiling>: 30.48 m is not above the"
-            + " floor of 30.48 m",
-        "<x>100</x><y>100</y> | <x>50</x><y>0</y>    | line 5, <keepIn>: encloses no area in one"
-            + " piece",
-        "<radius>10</radius>  | ''                   | line 11, <keepOut>: has a <centre> but no"
-            + " <radius>",
+        "<ceiling>200         | <ceiling>30.48       | line 4, <ceiling>: 30.48 m is not above the floor of 30.48 m",
+        "<x>100</x><y>100</y> | <x>50</x><y>0</y>    | line 5, <keepIn>: encloses no area in one piece",
+        "<radius>10</radius>  | ''                   | line 11, <keepOut>: has a <centre> but no <radius>",
         "<fence>              | <fence on=\"1\">      | line 1, <fence>: unknown attribute \"on\"",
-        "<floor unit=\"ft\">    | <floor units=\"ft\">  | line 3, <floor>: unknown attribute"
-            + " \"units\"",
-        "<ceiling>            | <ceiling of=\"1\">    | line 4, <ceiling>: unknown attribute"
-            + " \"of\"",
-        "<keepIn>             | <keepIn name=\"a\">   | line 5, <keepIn>: unknown attribute"
-            + " \"name\"",
-        "<corner><x>0</x><y>0 | <corner n=\"1\"><x>0</x><y>0 | line 6, <corner>: unknown attribute"
-            + " \"n\"",
-        "<corner><x>0</x><y>0 | <corner><x n=\"1\">0</x><y>0 | line 6, <x>: unknown attribute"
-            + " \"n\"",
-        "<keepOut>            | <keepOut name=\"a\">  | line 11, <keepOut>: unknown attribute"
-            + " \"name\"",
+        "<floor unit=\"ft\">    | <floor units=\"ft\">  | line 3, <floor>: unknown attribute \"units\"",
+        "<ceiling>            | <ceiling of=\"1\">    | line 4, <ceiling>: unknown attribute \"of\"",
+        "<keepIn>             | <keepIn name=\"a\">   | line 5, <keepIn>: unknown attribute \"name\"",
+        "<corner><x>0</x><y>0 | <corner n=\"1\"><x>0</x><y>0 | line 6, <corner>: unknown attribute \"n\"",
+        "<corner><x>0</x><y>0 | <corner><x n=\"1\">0</x><y>0 | line 6, <x>: unknown attribute \"n\"",
+        "<keepOut>            | <keepOut name=\"a\">  | line 11, <keepOut>: unknown attribute \"name\"",
         "<radius>             | <radius r=\"1\">      | line 13, <radius>: unknown attribute \"r\"",
-        "<radius>             | <height>1</height><radius> | line 13, <height>: unknown element in"
-            + " <keepOut>",
-        "<keepIn>             | <keepIn><centre/>    | line 6, <corner>: unknown element in"
-            + " <keepIn>",
+        "<radius>             | <height>1</height><radius> | line 13, <height>: unknown element in <keepOut>",
+        "<keepIn>             | <keepIn><centre/>    | line 6, <corner>: unknown element in <keepIn>",
         "<y>50</y>            | <y>50</y><z>1</z>    | line 12, <z>: unknown element in <centre>",
         "<keepIn>             | <roof/><keepIn>      | line 5, <roof>: unknown element in <fence>",
       })

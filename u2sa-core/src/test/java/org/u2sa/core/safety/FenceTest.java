@@ -195,8 +195,7 @@ class FenceTest {
     assertThatThrownBy(() -> fence.drawnInBy(50.0))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage(
-            "more than 10000 pairs of sides of its areas cross or are within twice a margin of 50"
-                + " m, or it has too many sides to compare them; expected fewer corners");
+            "more than 10000 pairs of sides of its areas cross or are within twice a margin of 50 m, or it has too many sides to compare them; expected fewer corners");
     assertThat(allows(fence.drawnInBy(0.01), 2000.0, 0.0)).isTrue();
   }
 

@@ -182,8 +182,7 @@ public final class RemoteConfiguration {
   private RunFailedException nobody(String service, String later) {
     return new RunFailedException(
         String.format(
-            "%s of system \"%s\" did not answer within %s s; ./u2sa config list shows which"
-                + " services do%s",
+            "%s of system \"%s\" did not answer within %s s; ./u2sa config list shows which services do%s",
             service, link.systemId(), link.timeoutS(), later));
   }
 

@@ -139,4 +139,12 @@ class OrdersAmidRunTest {
         .contains("fence: REPLACE by \"ann\": fence of an order by ann in force");
     assertThat(summary().get("fenceBreaches").asInt()).isZero();
   }
+
+  @Test
+  void simulate_keepOutAreaOrderedBeforeItIsCrossed_isABreach() throws IOException {
+    write("ordered-fence.xml", "<fence>" + KEEP_IN + NEAR_FIRST_WAYPOINT + "</fence>");
+    simulate(MissionAction.REPLACE, 3.0, 32.0);
+
+    assertThat(summary().get("fenceBreaches").asInt()).isEqualTo(1);
+  }
 }

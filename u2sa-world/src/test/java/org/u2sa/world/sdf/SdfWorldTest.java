@@ -33,44 +33,43 @@ import org.u2sa.world.xml.WorldFile;
 class SdfWorldTest {
   private static final String YARD =
       """
-<?xml version="1.0"?>
-<sdf version="1.7">
-  <world name="yard">
-    <physics name="ode" type="ode"><max_step_size>0.001</max_step_size></physics>
-    <light name="sun" type="directional"><pose>0 0 10 0 0 0</pose></light>
-    <model name="ground_plane">
-      <static>true</static>
-      <link name="link"><collision name="c"><geometry><plane><normal>0 0 1</normal></plane></geometry></collision></link>
-    </model>
-    <model name="shed">
-      <pose>10 5 0 0 0 1.5707963</pose>
-      <link name="walls">
-        <pose>0 0 1 0 0 0</pose>
-        <collision name="c"><pose>2 0 0 0 0 0</pose><geometry><box><size>4 2 2</size></box></geometry></collision>
-        <visual name="v"><geometry><box><size>40 20 2</size></box></geometry></visual>
-      </link>
-    </model>
-    <model name="pillar">
-      <pose>-3 0 0.5 0 0 0</pose>
-      <link name="link"><visual name="v"><geometry><cylinder><radius>0.3</radius><length>1</length></cylinder></geometry></visual></link>
-      <model name="ball">
-        <pose>1 0 0 0 0 0</pose>
-        <link name="link"><collision name="c"><geometry><sphere><radius>0.2</radius></sphere></geometry></collision></link>
-      </model>
-    </model>
-    <model name="log">
-      <pose degrees="true">0 -8 0.25 90 0 0</pose>
-      <link name="link"><collision name="c"><geometry><cylinder><radius>0.25</radius><length>6</length></cylinder></geometry></collision></link>
-    </model>
-    <actor name="walker"/>
-  </world>
-</sdf>
-""";
+      <?xml version="1.0"?>
+      <sdf version="1.7">
+        <world name="yard">
+          <physics name="ode" type="ode"><max_step_size>0.001</max_step_size></physics>
+          <light name="sun" type="directional"><pose>0 0 10 0 0 0</pose></light>
+          <model name="ground_plane">
+            <static>true</static>
+            <link name="link"><collision name="c"><geometry><plane><normal>0 0 1</normal></plane></geometry></collision></link>
+          </model>
+          <model name="shed">
+            <pose>10 5 0 0 0 1.5707963</pose>
+            <link name="walls">
+              <pose>0 0 1 0 0 0</pose>
+              <collision name="c"><pose>2 0 0 0 0 0</pose><geometry><box><size>4 2 2</size></box></geometry></collision>
+              <visual name="v"><geometry><box><size>40 20 2</size></box></geometry></visual>
+            </link>
+          </model>
+          <model name="pillar">
+            <pose>-3 0 0.5 0 0 0</pose>
+            <link name="link"><visual name="v"><geometry><cylinder><radius>0.3</radius><length>1</length></cylinder></geometry></visual></link>
+            <model name="ball">
+              <pose>1 0 0 0 0 0</pose>
+              <link name="link"><collision name="c"><geometry><sphere><radius>0.2</radius></sphere></geometry></collision></link>
+            </model>
+          </model>
+          <model name="log">
+            <pose degrees="true">0 -8 0.25 90 0 0</pose>
+            <link name="link"><collision name="c"><geometry><cylinder><radius>0.25</radius><length>6</length></cylinder></geometry></collision></link>
+          </model>
+          <actor name="walker"/>
+        </world>
+      </sdf>
+      """;
 
   private static final String BOX_MODEL =
-      "<sdf version='1.9'><model name='hut'><static>true</static><link name='l'><collision"
-          + " name='c'><geometry><box><size>2 3"
-          + " 1</size></box></geometry></collision></link></model></sdf>";
+      "<sdf version='1.9'><model name='hut'><static>true</static><link name='l'><collision name='c'>"
+          + "<geometry><box><size>2 3 1</size></box></geometry></collision></link></model></sdf>";
 
   @TempDir private Path folder;
 
@@ -85,23 +84,22 @@ class SdfWorldTest {
 
   private static final String RELATIVE =
       """
-<sdf version="1.9">
-  <world name="yard">
-    <model name="gate">
-      <pose>10 0 0 0 0 1.5707963267948966</pose>
-      <frame name="post"><pose>2 0 0 0 0 0</pose></frame>
-      <link name="left"><pose relative_to="post">1 0 0 0 0 0</pose>%1$s</link>
-      <frame name="top" attached_to="left"><pose>0 1 0 0 0 0</pose></frame>
-      <link name="right"><pose relative_to="top">0 1 0 0 0 0</pose>%1$s</link>
-    </model>
-    <model name="barrel"><pose relative_to="gate">0 5 0 0 0 0</pose><link name="l">%1$s</link></model>
-    %2$s
-  </world>
-</sdf>
-""";
+      <sdf version="1.9">
+        <world name="yard">
+          <model name="gate">
+            <pose>10 0 0 0 0 1.5707963267948966</pose>
+            <frame name="post"><pose>2 0 0 0 0 0</pose></frame>
+            <link name="left"><pose relative_to="post">1 0 0 0 0 0</pose>%1$s</link>
+            <frame name="top" attached_to="left"><pose>0 1 0 0 0 0</pose></frame>
+            <link name="right"><pose relative_to="top">0 1 0 0 0 0</pose>%1$s</link>
+          </model>
+          <model name="barrel"><pose relative_to="gate">0 5 0 0 0 0</pose><link name="l">%1$s</link></model>
+          %2$s
+        </world>
+      </sdf>
+      """;
   private static final String BALL =
-      "<collision"
-          + " name=\"c\"><geometry><sphere><radius>0.2</radius></sphere></geometry></collision>";
+      "<collision name=\"c\"><geometry><sphere><radius>0.2</radius></sphere></geometry></collision>";
 
   @Test
   void read_posesRelativeToOtherFrames_areComposed() throws IOException {
@@ -205,8 +203,7 @@ class SdfWorldTest {
     Files.createDirectories(place.getParent());
     Files.createSymbolicLink(place, link.endsWith("sdf") ? model : hut);
     String world =
-        "<sdf version='1.9'><world"
-            + " name='w'><include><uri>model://hut</uri></include></world></sdf>";
+        "<sdf version='1.9'><world name='w'><include><uri>model://hut</uri></include></world></sdf>";
 
     assertThat(read(world).objects()).isEmpty();
     assertThat(read(world).ignored()).containsExactly("hut: model model://hut is not found");
@@ -270,8 +267,7 @@ class SdfWorldTest {
           "<sdf version=\"1.9\"><model name=\"m\">" + include.repeat(30) + "</model></sdf>");
     }
     String world =
-        "<sdf version=\"1.9\"><world"
-            + " name=\"w\"><include><uri>model://m0</uri></include></world></sdf>";
+        "<sdf version=\"1.9\"><world name=\"w\"><include><uri>model://m0</uri></include></world></sdf>";
 
     assertTimeoutPreemptively(
         Duration.ofMinutes(10),
@@ -318,8 +314,7 @@ class SdfWorldTest {
       })
   void read_invalidGeometry_namesFileLineAndWhatWasExpected(String shape, String words) {
     String text =
-        "<sdf version='1.6'><world name='w'><model name='m'><link name='l'><collision name='c'>\n"
-            + "<geometry>"
+        "<sdf version='1.6'><world name='w'><model name='m'><link name='l'><collision name='c'>\n<geometry>"
             + shape
             + "</geometry></collision></link></model></world></sdf>";
     assertThatThrownBy(() -> read(text))

@@ -4,7 +4,7 @@ const DRAWN = {largest: 128 * 1024, perS: 256 * 1024}; // bytes: some 600 object
 const PICTURES = {largest: 1024 * 1024, perS: 4 * 1024 * 1024};
 const OTHER = {largest: 1024 * 1024, perS: 256 * 1024}; // the longest message that the broker takes
 const LIMITS = {objects: DRAWN, grid: DRAWN, plans: DRAWN, images: PICTURES};
-const UNLIMITED = ['emergency-stop', 'arming-state', 'failsafe']; // no service may write there at will
+const UNLIMITED = ['emergency-stop', 'arming-state', 'failsafe']; // services have no right to write there
 
 /** Limits the bytes of each channel. */
 export class Budget {
